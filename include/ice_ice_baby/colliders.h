@@ -1,0 +1,110 @@
+// Containers, planes and spheres as the solver sees them: where a moving particle may go.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ice_ice_baby/scene.h"
+
+namespace ice_ice_baby {
+
+/// Pose of a collider at the start and at the end of a substep.
+template <class Real>
+struct Motion {
+  Pose<Real> from;
+  Pose<Real> to;
+};
+
+/// Box in its own frame, centred on x and y.
+template <class Real>
+struct BoxShape {
+  Vec3<Real> low;
+  Vec3<Real> high;
+};
+
+/// Container in its own frame: floor of the inner box at z = 0, rim at inner.high.z.
+/// `inner` is shrunk and `outer` grown by the particle radius, so both bound particle centres.
+template <class Real>
+struct ContainerShape {
+  BoxShape<Real> inner;
+  BoxShape<Real> outer;
+  bool open_top;
+
+  /// Nearest allowed end of a path from `from` to `to`: what was inside stays inside unless it
+  /// passes the open mouth, what was outside stays outside unless it enters by the mouth.
+  Vec3<Real> resolve(const Vec3<Real>& from, const Vec3<Real>& to) const;
+  bool inside(const Vec3<Real>& point) const;
+};
+
+/// Ground below z = 0, or a plate; bounds particle centres like ContainerShape.
+template <class Real>
+struct PlaneShape {
+  Real surface;
+  bool infinite;
+  BoxShape<Real> plate;
+
+  Vec3<Real> resolve(const Vec3<Real>& from, const Vec3<Real>& to) const;
+};
+
+/// Ball around the origin; `reach` is its radius plus that of a particle.
+template <class Real>
+struct SphereShape {
+  Real reach;
+
+  Vec3<Real> resolve(const Vec3<Real>& from, const Vec3<Real>& to) const;
+};
+
+/// A shape with what contact needs to know of it.
+template <class Real, class Shape>
+struct Body {
+  std::string name;
+  Shape shape;
+  Motion<Real> motion;
+  Real friction;
+};
+
+template <class Real>
+class Colliders {
+ public:
+  /// @param radius_m particle radius, half the spacing: the distance that centres keep
+  Colliders(const Scene& scene, double radius_m);
+
+  bool empty() const { return containers.empty() && planes.empty() && spheres.empty(); }
+
+  /// Where a particle that starts a substep at `from` ends when the solver wants it at `to`:
+  /// outside every solid, its sliding reduced by Coulomb friction. @param stick whether it does not
+  /// slide
+  Vec3<Real> respond(const Vec3<Real>& from, const Vec3<Real>& to, bool stick) const;
+
+  /// Poses at the start and the end of the substep that comes next.
+  /// @param begin, end fractions of the frame
+  void setSubstep(double begin, double end);
+
+  /// Moves a collider over the frame that comes next. @throws InvalidInput for an unknown name
+  void moveTo(const std::string& name, const Posed& pose);
+  /// Ends the frame: every collider is where it was going.
+  void endFrame();
+  Posed pose(const std::string& name) const;
+
+  std::size_t bytes() const;
+
+  std::vector<Body<Real, ContainerShape<Real>>> containers;
+  std::vector<Body<Real, PlaneShape<Real>>> planes;
+  std::vector<Body<Real, SphereShape<Real>>> spheres;
+
+ private:
+  /// Where a collider goes over a frame, in the order containers, planes, spheres.
+  struct Travel {
+    std::string name;
+    Posed start;
+    Posed target;
+  };
+
+  const Travel& travel(const std::string& name) const;
+  template <class Visit>
+  void forEachMotion(Visit&& visit);
+
+  std::vector<Travel> travels_;
+};
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,49 @@
+// The density constraint of position based fluids: paper Eq. 2-6, Macklin & Mueller 2013.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ice_ice_baby/neighbours.h"
+#include "ice_ice_baby/particles.h"
+#include "ice_ice_baby/wall_density.h"
+
+namespace ice_ice_baby {
+
+/// Volumes stand for masses: with V = m / rho_0, C_i = V sum_j W_ij + walls - 1.
+template <class Real>
+class DensityConstraint {
+ public:
+  virtual ~DensityConstraint() = default;
+
+  /// lambda_i of every particle (Eq. 5), times the relaxation.
+  virtual void computeLambda(const Particles<Real>& particles,
+                             const Neighbours<Real>& neighbours) = 0;
+
+  /// Delta p_i of every particle (Eq. 6), bounded by the largest correction.
+  virtual void computeDeltaP(const Particles<Real>& particles,
+                             const Neighbours<Real>& neighbours) = 0;
+
+  const VectorField<Real>& deltaP() const { return delta_p_; }
+  VectorField<Real>& deltaP() { return delta_p_; }
+  /// (n) rho_i / rho_0 of the latest computeLambda.
+  const std::vector<Real>& density() const { return density_; }
+  const std::vector<Real>& lambda() const { return lambda_; }
+
+  std::size_t bytes() const;
+
+ protected:
+  void resize(std::size_t n);
+
+  std::vector<Real> density_;        ///< (n) rho_i / rho_0
+  std::vector<Real> lambda_;         ///< (n) m^2
+  VectorField<Real> delta_p_;        ///< (n) m
+  VectorField<Real> wall_gradient_;  ///< (n) 1/m; empty without walls
+};
+
+/// @param walls density of colliders, or null where the scene has none or leaves it out
+template <class Real>
+std::unique_ptr<DensityConstraint<Real>> makeDensityConstraint(const Scene& scene,
+                                                               const WallDensity<Real>* walls);
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,29 @@
+// The one error that bad input raises, worded for the person who typed it.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace ice_ice_baby {
+
+/// Input that cannot be used. The message names the thing, the value, the allowed range and the
+/// cure. Whatever throws it has changed nothing.
+class InvalidInput : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// "1.5", "1e-06": the shortest text that reads back as the same number.
+std::string numberText(double value);
+
+/// "a, b, c"
+std::string joined(const std::vector<std::string>& words);
+
+/// The entry of `known` that a mistyped `word` most likely meant, or "" when none is near.
+std::string nearest(const std::string& word, const std::vector<std::string>& known);
+
+/// Throws InvalidInput unless `value` is finite and within [min, max].
+void requireInRange(const std::string& thing, double value, double min, double max);
+
+}  // namespace ice_ice_baby

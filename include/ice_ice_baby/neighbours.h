@@ -1,0 +1,84 @@
+// Neighbour search (the paper's spatial map): occupied cells in sorted order, and per particle the
+// list of those nearer than the support radius.
+#pragma once
+
+#include <vector>
+
+#include "ice_ice_baby/particles.h"
+
+namespace ice_ice_baby {
+
+/// Memory grows with the particles alone, not with the space between them.
+template <class Real>
+class Neighbours {
+ public:
+  /// Neighbours of one particle: a range of indices in ascending cell order, itself left out.
+  struct List {
+    const Index* first;
+    const Index* last;
+    const Index* begin() const { return first; }
+    const Index* end() const { return last; }
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
+  };
+
+  /// @param support_m h, m
+  /// @param skin_m lists reach h + skin and stay valid until some particle has moved skin / 2
+  Neighbours(Real support_m, Real skin_m) : reach_(support_m + skin_m), skin_(skin_m) {}
+
+  /// Whether some predicted position is further than skin / 2 from where the lists were built.
+  bool stale(const VectorField<Real>& predicted) const;
+
+  /// Order in which particles lie cell by cell: place k is for particle order[k].
+  const std::vector<Index>& sortOrder(const VectorField<Real>& predicted);
+
+  /// Builds every list from positions that lie in the order that sortOrder gave.
+  void build(const VectorField<Real>& predicted);
+
+  /// Every j with |x_j* - x_i*| < h, and some that are up to skin further.
+  List of(std::size_t i) const {
+    const Chunk& chunk = chunks_[i / kChunk];
+    return {chunk.list.data() + begin_[i], chunk.list.data() + end_[i]};
+  }
+
+  std::size_t builds() const { return builds_; }
+  std::size_t pairs() const;
+  std::size_t bytes() const;
+
+ private:
+  static constexpr std::size_t kChunk = 256;
+
+  /// Lists of kChunk particles in a row; kept between builds so that steady states do not allocate.
+  struct Chunk {
+    std::vector<Index> list;
+  };
+  /// Particles first ... end of the next cell share this cell.
+  struct Cell {
+    std::uint64_t key;
+    Index first;
+  };
+  /// Particles in a row of three cells along x.
+  struct Row {
+    Index first, last;
+  };
+
+  std::uint64_t cellKey(const Vec3<Real>& point) const;
+  void sortKeys(std::size_t count);
+  void findCells();
+  Row row(std::uint64_t centre_key, int dy, int dz) const;
+  void buildChunk(std::size_t chunk, const VectorField<Real>& predicted);
+
+  Real reach_;
+  Real skin_;
+  Vec3<Real> origin_ = Vec3<Real>::Zero();
+  VectorField<Real> built_at_;       ///< (n) positions at the last build
+  std::vector<std::uint64_t> keys_;  ///< (n) cell of the particle at place k
+  std::vector<Index> order_;         ///< (n)
+  std::vector<std::uint64_t> key_scratch_;
+  std::vector<Index> order_scratch_;
+  std::vector<Cell> cells_;  ///< occupied cells by key, and one end mark
+  std::vector<Chunk> chunks_;
+  std::vector<Index> begin_, end_;  ///< (n) range in the chunk's list
+  std::size_t builds_ = 0;
+};
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,22 @@
+// Loops over particles on the threads of the current task arena.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cstddef>
+
+namespace ice_ice_baby {
+
+/// Calls body(i) for every i < count. Each call writes only what belongs to its own i, so the
+/// result does not depend on the number of threads.
+template <class Body>
+void parallelFor(std::size_t count, const Body& body) {
+  constexpr std::size_t kGrain = 256;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+                    });
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,153 @@
+// Every parameter once: name, default, allowed range and meaning.
+//
+// Each struct lists its members in one `describe` function. The YAML reader, the writer of
+// config/default.yaml and the ROS parameter loader all walk that list, so a parameter is added in
+// one place. A visitor is called as
+//   visit(name, value, Range{min, max}, meaning)   for numbers and vectors (the range of each
+//   part), visit(name, value, meaning)                    for bool, text and choices,
+//   visit.section(name, params, meaning)           for a struct of them,
+//   visit.list(name, vector, meaning)              for a list of structs.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "ice_ice_baby/types.h"
+
+namespace ice_ice_baby {
+
+struct Range {
+  double min;
+  double max;
+};
+
+/// Furthest coordinate at which single precision still resolves a hundredth of a millimetre.
+constexpr double kMaxCoordinate_m = 100.0;
+
+enum class Preset { kDefault, kPaper };
+enum class KernelPair { kCubic, kPoly6Spiky };
+
+inline std::vector<std::string> choices(Preset) { return {"default", "paper"}; }
+inline std::vector<std::string> choices(KernelPair) { return {"cubic", "poly6_spiky"}; }
+
+struct FluidParams {
+  double spacing_m = 0.0211;
+  double support_radius_m = 0.0;
+  double rest_density_kg_m3 = 1000.0;
+  double particle_mass_kg = 0.0;
+  KernelPair kernel = KernelPair::kCubic;
+  bool self_density = true;
+  bool wall_density = true;
+};
+
+template <class Visitor>
+void describe(FluidParams& p, Visitor&& visit) {
+  visit("spacing_m", p.spacing_m, Range{1e-4, 10.0},
+        "distance d between particles at rest: the resolution of the scene");
+  visit("support_radius_m", p.support_radius_m, Range{0.0, 40.0},
+        "kernel support radius h; 0: 2 d (paper: 0.03 at its own spacing)");
+  visit("rest_density_kg_m3", p.rest_density_kg_m3, Range{1e-3, 1e9},
+        "rest density rho_0 (paper: 45000)");
+  visit("particle_mass_kg", p.particle_mass_kg, Range{0.0, 1e9},
+        "mass of a particle; 0: such that a lattice of spacing d has exactly the rest density "
+        "(paper: 1)");
+  visit("kernel", p.kernel,
+        "cubic: one spline for the density and its own gradient; poly6_spiky: the paper's pair");
+  visit("self_density", p.self_density, "whether a particle counts in its own density");
+  visit("wall_density", p.wall_density,
+        "whether walls and colliders count in the density, so that particles do not stack there");
+}
+
+struct SolverParams {
+  double frame_rate_hz = 60.0;
+  int substeps = 8;
+  int iterations = 1;
+  double relaxation = 0.7;
+  double epsilon = 0.01;
+  bool resist_tension = false;
+  double viscosity_1_s = 30.0;
+  double max_correction_h = 0.1;
+  double max_speed_m_s = 30.0;
+};
+
+template <class Visitor>
+void describe(SolverParams& p, Visitor&& visit) {
+  visit("frame_rate_hz", p.frame_rate_hz, Range{1.0, 10000.0},
+        "frames per simulated second; state is reported once a frame");
+  visit("substeps", p.substeps, Range{1, 1000}, "passes of Algorithm 1 per frame");
+  visit("iterations", p.iterations, Range{0, 1000},
+        "solver iterations per substep; 0: particles fly ballistically");
+  visit("relaxation", p.relaxation, Range{0.01, 1.0},
+        "factor on lambda; above 0.7 the simultaneous corrections overshoot (paper: 1)");
+  visit("epsilon", p.epsilon, Range{0.0, 1e3},
+        "epsilon of Eq. 5 times h^2, so that it does not depend on scale (paper: 9e-5)");
+  visit("resist_tension", p.resist_tension,
+        "whether density below rest also corrects, which makes particles clump (paper: true)");
+  visit(
+      "viscosity_1_s", p.viscosity_1_s, Range{0.0, 1e4},
+      "rate at which a particle takes on the velocity of its neighbours (XSPH); 0: no such stage");
+  visit("max_correction_h", p.max_correction_h, Range{0.0, 1.0},
+        "largest correction of one iteration in support radii; 0: unlimited (paper)");
+  visit("max_speed_m_s", p.max_speed_m_s, Range{1e-3, 1e5},
+        "speed limit; counted and warned about whenever it acts");
+}
+
+struct TemperatureParams {
+  double initial_c = 20.0;
+  double onset_c = 4.0;
+  double freezing_c = 0.0;
+};
+
+constexpr Range kTemperatureRange_c{-273.15, 1000.0};
+
+template <class Visitor>
+void describe(TemperatureParams& p, Visitor&& visit) {
+  visit("initial_c", p.initial_c, kTemperatureRange_c, "temperature of the scene at the start");
+  visit("onset_c", p.onset_c, kTemperatureRange_c,
+        "below this temperature springs appear; above it there are none");
+  visit("freezing_c", p.freezing_c, kTemperatureRange_c,
+        "at and below this temperature the springs allow no movement; must be below onset_c");
+}
+
+struct SpringParams {
+  double reach_h = 0.75;
+  double slack_1_s = 50.0;
+  bool contraction_only = false;
+  bool keep_frozen = true;
+  double damping = 0.5;
+  bool stick_to_colliders = true;
+  double sleep_speed_m_s = 0.01;
+};
+
+template <class Visitor>
+void describe(SpringParams& p, Visitor&& visit) {
+  visit("reach_h", p.reach_h, Range{0.1, 1.0},
+        "neighbours up to this distance, in support radii, are joined (paper: 1, all of them)");
+  visit("slack_1_s", p.slack_1_s, Range{0.0, 1e4},
+        "relative change of length per second that a spring allows at onset_c; falls to 0 at "
+        "freezing_c");
+  visit("contraction_only", p.contraction_only,
+        "whether springs resist only contraction (paper: true) or also extension");
+  visit("keep_frozen", p.keep_frozen,
+        "whether frozen springs keep the rest length they froze with (false, paper: every substep "
+        "makes them anew)");
+  visit("damping", p.damping, Range{0.0, 1.0},
+        "part of the relative velocity along a frozen spring removed each substep (paper: 0)");
+  visit("stick_to_colliders", p.stick_to_colliders,
+        "whether frozen water does not slide on what it touches (paper: false)");
+  visit("sleep_speed_m_s", p.sleep_speed_m_s, Range{0.0, 10.0},
+        "frozen water slower than this for half a second sleeps until something changes; 0: never");
+}
+
+struct LimitParams {
+  double max_particles = 2e6;
+};
+
+template <class Visitor>
+void describe(LimitParams& p, Visitor&& visit) {
+  visit("max_particles", p.max_particles, Range{0.0, 1e8},
+        "a scene with more particles is refused before memory is taken");
+}
+
+}  // namespace ice_ice_baby

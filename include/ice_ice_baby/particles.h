@@ -1,0 +1,60 @@
+// State of the particles: structure of arrays, sorted by cell of the neighbour search.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "ice_ice_baby/scene.h"
+
+namespace ice_ice_baby {
+
+/// n vectors, one array per coordinate.
+template <class Real>
+struct VectorField {
+  std::vector<Real> x, y, z;
+
+  std::size_t size() const { return x.size(); }
+  std::size_t bytes() const { return (x.capacity() + y.capacity() + z.capacity()) * sizeof(Real); }
+  void resize(std::size_t n) {
+    x.resize(n);
+    y.resize(n);
+    z.resize(n);
+  }
+  Vec3<Real> at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void set(std::size_t i, const Vec3<Real>& value) {
+    x[i] = value.x();
+    y[i] = value.y();
+    z[i] = value.z();
+  }
+  void add(std::size_t i, const Vec3<Real>& value) { set(i, at(i) + value); }
+};
+
+template <class Real>
+struct Particles {
+  VectorField<Real> position;     ///< (n) x_i, m
+  VectorField<Real> predicted;    ///< (n) x_i*, m
+  VectorField<Real> velocity;     ///< (n) v_i, m/s
+  std::vector<std::uint32_t> id;  ///< (n) number at the spawn, 0 ... n-1
+
+  std::size_t size() const { return id.size(); }
+  std::size_t bytes() const {
+    return position.bytes() + predicted.bytes() + velocity.bytes() +
+           id.capacity() * sizeof(std::uint32_t);
+  }
+
+  /// Puts particle order[k] at place k. `order` is a permutation of 0 ... n-1.
+  void reorder(const std::vector<Index>& order);
+};
+
+/// Range of ids that one block spawned.
+struct Spawn {
+  std::uint32_t first_id = 0;
+  std::uint32_t count = 0;
+};
+
+/// Fills every block of the scene with its lattice, in the order of the scene file.
+/// @param spawns one entry per block
+template <class Real>
+Particles<Real> spawnParticles(const Scene& scene, std::vector<Spawn>& spawns);
+
+}  // namespace ice_ice_baby

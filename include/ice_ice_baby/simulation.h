@@ -1,0 +1,119 @@
+// The simulation as its users see it: the node, the tools and the tests hold this interface only.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ice_ice_baby/scene.h"
+
+namespace ice_ice_baby {
+
+enum class Precision { kFloat, kDouble };
+
+/// What one stage of the step has cost since the start.
+struct StageStats {
+  std::string name;
+  std::uint64_t calls = 0;
+  double time_s = 0.0;
+  std::size_t bytes = 0;  ///< memory that the stage holds now
+};
+
+/// State of the whole scene after a frame. Sums run in particle order, so they have the same bits
+/// for any number of threads.
+struct StepReport {
+  std::uint64_t frame = 0;
+  double time_s = 0.0;
+  std::size_t particles = 0;
+  std::size_t springs = 0;
+  double temperature_c = 0.0;
+  double strictness = 0.0;          ///< 0 liquid ... 1 frozen
+  bool asleep = false;              ///< frozen and at rest: frames cost nothing
+  double density_error_mean = 0.0;  ///< mean of max(rho / rho_0 - 1, 0), the solver's own kernel
+  double density_error_max = 0.0;
+  double kinetic_energy_j = 0.0;
+  double potential_energy_j = 0.0;  ///< against gravity, 0 at the origin
+  double max_speed_m_s = 0.0;
+  double rms_speed_m_s = 0.0;
+  std::uint64_t speed_limited = 0;  ///< particles that the speed limit slowed in this frame
+  std::uint64_t non_finite = 0;  ///< since the start: values repaired because they were not finite
+  double frame_wall_s = 0.0;     ///< time that the frame took to compute
+};
+
+/// One particle as the outside sees it.
+struct ParticleSample {
+  float x, y, z;     ///< m
+  float vx, vy, vz;  ///< m/s
+  float temperature_c;
+  float ice_fraction;  ///< 0 water ... 1 ice
+  float density;       ///< relative to rest density, the solver's own kernel
+  std::uint32_t id;
+};
+
+/// Ends of a spring as positions in m.
+struct SpringSample {
+  float ax, ay, az;
+  float bx, by, bz;
+};
+
+/// A run of Algorithm 1 over one scene. Not thread safe: one thread steps and asks.
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+
+  /// Simulates one frame, 1 / solver.frame_rate_hz of time.
+  virtual const StepReport& advanceFrame() = 0;
+
+  virtual const StepReport& report() const = 0;
+  virtual const Scene& scene() const = 0;
+
+  /// Goes to `celsius` over `ramp_s` seconds from now on and cancels the scene's own schedule.
+  /// @throws InvalidInput outside [-273.15, 1000] degrees C or [0, 1e6] s
+  virtual void setTemperature(double celsius, double ramp_s) = 0;
+
+  /// @throws InvalidInput outside [-1e4, 1e4] m/s^2
+  virtual void setGravity(const Vec3d& gravity_m_s2) = 0;
+
+  /// Moves a collider over the next frame; `name` is that of the scene.
+  /// @throws InvalidInput for an unknown name or a pose that is not finite or too far
+  virtual void moveCollider(const std::string& name, const Posed& pose) = 0;
+
+  /// Pose of a collider now. @throws InvalidInput for an unknown name
+  virtual Posed colliderPose(const std::string& name) const = 0;
+
+  /// Every `stride`-th particle, ordered by id.
+  virtual void sample(std::vector<ParticleSample>& out, std::size_t stride = 1) const = 0;
+
+  /// Every spring, up to `limit` of them, evenly thinned.
+  virtual void sampleSprings(std::vector<SpringSample>& out, std::size_t limit) const = 0;
+
+  /// Density error by the cubic spline with h = 2 d whatever the solver uses: the yardstick by
+  /// which solvers are compared. Mean and maximum of max(rho / rho_0 - 1, 0).
+  struct DensityError {
+    double mean = 0.0;
+    double max = 0.0;
+  };
+  virtual DensityError measureDensityError() = 0;
+
+  /// Particles of blocks that began in a closed container and are no longer inside it.
+  virtual std::size_t countEscaped() const = 0;
+
+  /// Stages that this scene holds now, in the order of Algorithm 1.
+  virtual std::vector<StageStats> stages() const = 0;
+
+  /// Hash of the bits of every position and velocity, in id order.
+  virtual std::uint64_t stateHash() const = 0;
+};
+
+/// @param threads threads to use, 0: all of the machine's
+/// @throws InvalidInput for a scene that validate() refuses or more than 1024 threads
+std::unique_ptr<Simulation> makeSimulation(const Scene& scene,
+                                           Precision precision = Precision::kFloat,
+                                           int threads = 0);
+
+/// The checks that setTemperature, setGravity and moveCollider make, for callers that queue them.
+void requireTemperature(double celsius, double ramp_s);
+void requireGravity(const Vec3d& gravity_m_s2);
+
+}  // namespace ice_ice_baby

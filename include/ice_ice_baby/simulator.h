@@ -1,0 +1,97 @@
+// The simulation loop: Algorithm 1 of the paper over one scene, in float or double.
+#pragma once
+
+#include <tbb/task_arena.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ice_ice_baby/colliders.h"
+#include "ice_ice_baby/density_constraint.h"
+#include "ice_ice_baby/neighbours.h"
+#include "ice_ice_baby/particles.h"
+#include "ice_ice_baby/simulation.h"
+#include "ice_ice_baby/springs.h"
+#include "ice_ice_baby/stage_clock.h"
+#include "ice_ice_baby/temperature.h"
+#include "ice_ice_baby/viscosity.h"
+#include "ice_ice_baby/wall_density.h"
+
+namespace ice_ice_baby {
+
+/// A stage that a scene does not need is not there: no springs while liquid, no collisions without
+/// colliders, no viscosity at rate zero.
+template <class Real>
+class Simulator final : public Simulation {
+ public:
+  Simulator(const Scene& scene, int threads);
+
+  const StepReport& advanceFrame() override;
+  const StepReport& report() const override { return report_; }
+  const Scene& scene() const override { return scene_; }
+  void setTemperature(double celsius, double ramp_s) override;
+  void setGravity(const Vec3d& gravity_m_s2) override;
+  void moveCollider(const std::string& name, const Posed& pose) override;
+  Posed colliderPose(const std::string& name) const override { return colliders_.pose(name); }
+  void sample(std::vector<ParticleSample>& out, std::size_t stride) const override;
+  void sampleSprings(std::vector<SpringSample>& out, std::size_t limit) const override;
+  DensityError measureDensityError() override;
+  std::size_t countEscaped() const override;
+  std::vector<StageStats> stages() const override;
+  std::uint64_t stateHash() const override;
+
+  /// State for tests and measurement; sorted by cell, so indices change from substep to substep.
+  const Particles<Real>& particles() const { return particles_; }
+  Particles<Real>& particles() { return particles_; }
+
+ private:
+  void substep(double dt_s);
+  void applyForcesAndPredict(Real dt);
+  void findNeighbours();
+  void makeSprings();
+  void respondToCollisions();
+  void updatePredicted();
+  void finishCollisions();
+  void updateVelocityAndPosition(Real dt);
+  void updateTemperature(double time_s);
+  void updateReport(double wall_s);
+  void updateSleep();
+  void wake();
+  void joinSheets();
+  bool frozen() const { return strictness_ >= 1.0; }
+  bool sticks() const { return frozen() && scene_.springs.stick_to_colliders; }
+
+  Scene scene_;
+  tbb::task_arena arena_;
+  std::vector<Spawn> spawns_;
+  Particles<Real> particles_;
+  Temperature temperature_;
+  Colliders<Real> colliders_;
+  std::optional<WallDensity<Real>> walls_;
+  Neighbours<Real> neighbours_;
+  std::unique_ptr<DensityConstraint<Real>> density_;
+  std::optional<Springs<Real>> springs_;
+  std::optional<Viscosity<Real>> viscosity_;
+
+  StageClock predict_clock_{"predict"};
+  StageClock neighbours_clock_{"neighbours"};
+  StageClock make_springs_clock_{"make_springs"};
+  StageClock lambda_clock_{"lambda"};
+  StageClock delta_p_clock_{"delta_p"};
+  StageClock collide_clock_{"collide"};
+  StageClock correct_springs_clock_{"correct_springs"};
+  StageClock position_clock_{"position"};
+  StageClock velocity_clock_{"velocity"};
+  StageClock viscosity_clock_{"viscosity"};
+  StageClock damp_springs_clock_{"damp_springs"};
+  StageClock report_clock_{"report"};
+
+  StepReport report_;
+  double strictness_ = 0.0;
+  bool springs_kept_ = false;  ///< frozen springs hold the rest lengths they froze with
+  double still_s_ = 0.0;       ///< for how long frozen water has been slower than the sleep speed
+  bool colliders_moving_ = false;
+};
+
+}  // namespace ice_ice_baby

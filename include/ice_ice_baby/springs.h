@@ -1,0 +1,77 @@
+// Springs: the paper's freezing. They exert no force; they correct positions so that the distance
+// between their ends stays within a range that tightens as the temperature falls.
+#pragma once
+
+#include <vector>
+
+#include "ice_ice_baby/neighbours.h"
+#include "ice_ice_baby/particles.h"
+
+namespace ice_ice_baby {
+
+/// Range that springs allow around their rest length, as factors of it.
+struct SpringRange {
+  double shortest = 1.0;
+  double longest = 1.0;
+};
+
+/// Allowed range at a strictness from 0 (onset) to 1 (frozen) over a substep of `dt_s`: the slack
+/// shrinks in proportion to 1 - strictness. With `contraction_only` there is no longest length: the
+/// paper manipulates the minimum so that springs push ends apart and never pull them together.
+SpringRange allowedRange(const SpringParams& params, double strictness, double dt_s);
+
+template <class Real>
+struct Spring {
+  Index a;
+  Index b;
+  Real rest_m;
+};
+
+/// Length error of a spring outside its range: negative when too short, positive when too long.
+template <class Real>
+Real springCorrection(Real length_m, Real rest_m, const SpringRange& range);
+
+template <class Real>
+class Springs {
+ public:
+  explicit Springs(const SpringParams& params) : params_(params) {}
+
+  /// Springs of a sheet, which never melt: between particles of one spawn up to `reach_m`.
+  void addSheet(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
+                const Spawn& sheet, Real reach_m);
+
+  /// Joins every particle to its neighbours up to `reach_m`; the rest length is the distance at
+  /// x_i.
+  void make(const Particles<Real>& particles, const Neighbours<Real>& neighbours, Real reach_m);
+
+  /// Removes what make() made.
+  void melt();
+
+  /// Corrects x* along each spring in turn, half to each end (Algorithm 1).
+  void correct(VectorField<Real>& predicted, double strictness, double dt_s) const;
+
+  /// Takes a part of the relative velocity along each spring, equal and opposite at its ends.
+  void damp(VectorField<Real>& velocity, const VectorField<Real>& position) const;
+
+  /// Follows a sort of the particles: place k now holds what was at order[k].
+  void renumber(const std::vector<Index>& order);
+
+  bool empty() const { return springs_.empty(); }
+  /// Springs that freezing made.
+  std::size_t iceCount() const { return springs_.size() - sheet_count_; }
+  std::size_t size() const { return springs_.size(); }
+  std::size_t bytes() const;
+  const std::vector<Spring<Real>>& all() const { return springs_; }
+
+ private:
+  template <class Joined>
+  void join(const Particles<Real>& particles, const Neighbours<Real>& neighbours, Real reach_m,
+            const Joined& joined);
+
+  SpringParams params_;
+  std::vector<Spring<Real>> springs_;  ///< those of sheets first
+  std::size_t sheet_count_ = 0;
+  std::vector<Index> place_of_;  ///< scratch of renumber
+};
+
+}  // namespace ice_ice_baby

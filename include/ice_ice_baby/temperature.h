@@ -1,0 +1,38 @@
+// The paper's temperature: one number for the whole scene, and how strict it makes the springs.
+#pragma once
+
+#include <vector>
+
+#include "ice_ice_baby/scene.h"
+
+namespace ice_ice_baby {
+
+class Temperature {
+ public:
+  explicit Temperature(const Scene& scene);
+
+  /// Moves on to simulated time `time_s`, which never goes back.
+  void advanceTo(double time_s);
+
+  /// Goes to `target_c` over `ramp_s` from now on; what the scene had scheduled is cancelled.
+  void set(double target_c, double ramp_s);
+
+  double celsius() const { return celsius_; }
+
+  /// 0 at and above onset_c, rising linearly to 1 at and below freezing_c.
+  double strictness() const;
+
+ private:
+  void startRamp(double target_c, double ramp_s, double start_s);
+
+  TemperatureParams params_;
+  std::vector<TemperatureEvent> schedule_;  ///< what is still to come, by time
+  double time_s_ = 0.0;
+  double celsius_;
+  double ramp_start_s_ = 0.0;
+  double ramp_s_ = 0.0;
+  double from_c_;
+  double target_c_;
+};
+
+}  // namespace ice_ice_baby

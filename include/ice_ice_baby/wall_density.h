@@ -1,0 +1,85 @@
+// Density that walls and colliders add to particles near them, so that water rests against a wall
+// as it rests against water: without it particles stack at walls.
+//
+// A flat wall counts as if the rest lattice went on behind it, its first layer half a spacing deep,
+// so a lattice at rest in a box has exactly the rest density up to the last particle. Where walls
+// of a box meet, what their half spaces share is counted once. A sphere counts by the volume of the
+// kernel that lies inside it.
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "ice_ice_baby/colliders.h"
+#include "ice_ice_baby/kernels.h"
+
+namespace ice_ice_baby {
+
+/// Value and gradient at a particle centre of the density of colliders over rest density.
+template <class Real>
+struct WallSample {
+  Real value = 0;                            ///< dimensionless
+  Vec3<Real> gradient = Vec3<Real>::Zero();  ///< 1/m
+};
+
+template <class Real>
+class WallDensity {
+ public:
+  /// @param volume_m3 m / rho_0, the volume of a particle
+  WallDensity(const Scene& scene, const Colliders<Real>& colliders, double volume_m3);
+
+  WallSample<Real> at(const Vec3<Real>& point) const;
+
+  std::size_t bytes() const;
+
+ private:
+  /// Function of the distance to a surface, tabulated from 0 to h, 0 beyond.
+  struct Table {
+    std::vector<Real> values;
+    Real per_m = 0;
+    /// Value and slope at a distance, which counts as 0 when negative.
+    std::pair<Real, Real> at(Real distance) const;
+  };
+  /// What two walls at right angles share, over the distances to both, bilinear.
+  struct EdgeTable {
+    std::vector<Real> values;
+    Real per_m = 0;
+    struct Sample {
+      Real value, slope_a, slope_b;
+    };
+    Sample at(Real a, Real b) const;
+  };
+  /// A wall of a box near a point: its axis, the distance to it, the sign of its inward normal.
+  struct NearWall {
+    int axis;
+    Real distance;
+    Real sign;
+  };
+
+  Table halfSpace() const;
+  Table ball(Real radius) const;
+  template <class Function>
+  Table tabulate(const Function& function) const;
+
+  EdgeTable edge() const;
+  double ghosts(const std::array<double, 3>& distances, int walls) const;
+  WallSample<Real> inBox(const NearWall* walls, int count) const;
+  void addCorner(const std::array<NearWall, 3>& walls, WallSample<Real>& sample) const;
+  void addContainer(const Body<Real, ContainerShape<Real>>& body, const Vec3<Real>& point,
+                    WallSample<Real>& sample) const;
+  void addPlane(const Body<Real, PlaneShape<Real>>& body, const Vec3<Real>& point,
+                WallSample<Real>& sample) const;
+
+  const Colliders<Real>& colliders_;
+  KernelPair kernel_;
+  double h_;
+  double spacing_;
+  double volume_;
+  Real radius_;
+  Table plane_;
+  EdgeTable edge_;
+  std::vector<Table> spheres_;
+};
+
+}  // namespace ice_ice_baby

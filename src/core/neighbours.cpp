@@ -1,0 +1,173 @@
+#include "ice_ice_baby/neighbours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "ice_ice_baby/parallel.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+// A key packs three 20-bit cell coordinates, z highest, so that cells along x follow each other.
+constexpr int kBits = 20;
+constexpr std::int64_t kMaxCell = (std::int64_t(1) << kBits) - 2;
+
+constexpr std::uint64_t packKey(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+  return (z << (2 * kBits)) | (y << kBits) | x;
+}
+
+}  // namespace
+
+template <class Real>
+bool Neighbours<Real>::stale(const VectorField<Real>& predicted) const {
+  const std::size_t n = predicted.size();
+  if (built_at_.size() != n) return true;
+  const Real limit = skin_ / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Real dx = predicted.x[i] - built_at_.x[i];
+    const Real dy = predicted.y[i] - built_at_.y[i];
+    const Real dz = predicted.z[i] - built_at_.z[i];
+    if (!(dx * dx + dy * dy + dz * dz <= limit * limit)) return true;
+  }
+  return false;
+}
+
+template <class Real>
+std::uint64_t Neighbours<Real>::cellKey(const Vec3<Real>& point) const {
+  std::uint64_t cell[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    // Cells start at 1 and end before the last, so that a neighbouring cell never wraps round. The
+    // clamp keeps cells of neighbours next to each other, however far out they are.
+    // The edge is a hair longer than the reach, so that rounding cannot part neighbours by two
+    // cells.
+    const double offset = double(point[axis] - origin_[axis]) / (1.0001 * double(reach_));
+    cell[axis] = static_cast<std::uint64_t>(std::clamp(offset, 0.0, double(kMaxCell - 1))) + 1;
+  }
+  return packKey(cell[0], cell[1], cell[2]);
+}
+
+template <class Real>
+const std::vector<Index>& Neighbours<Real>::sortOrder(const VectorField<Real>& predicted) {
+  const std::size_t n = predicted.size();
+  keys_.resize(n);
+  order_.resize(n);
+  std::iota(order_.begin(), order_.end(), Index(0));
+  if (n == 0) return order_;
+  origin_ = {*std::min_element(predicted.x.begin(), predicted.x.end()),
+             *std::min_element(predicted.y.begin(), predicted.y.end()),
+             *std::min_element(predicted.z.begin(), predicted.z.end())};
+  parallelFor(n, [&](std::size_t i) { keys_[i] = cellKey(predicted.at(i)); });
+  sortKeys(n);
+  return order_;
+}
+
+/// Radix sort, 10 bits a pass, leaving out passes in which all keys agree: stable, linear, and two
+/// or three passes for scenes of usual size.
+template <class Real>
+void Neighbours<Real>::sortKeys(std::size_t count) {
+  constexpr int kDigitBits = 10;
+  constexpr std::uint64_t kDigits = 1 << kDigitBits;
+  key_scratch_.resize(count);
+  order_scratch_.resize(count);
+  for (int shift = 0; shift < 3 * kBits; shift += kDigitBits) {
+    std::array<Index, kDigits + 1> start{};
+    for (const std::uint64_t key : keys_) ++start[((key >> shift) & (kDigits - 1)) + 1];
+    if (*std::max_element(start.begin(), start.end()) == count) continue;
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    for (std::size_t k = 0; k < count; ++k) {
+      const Index place = start[(keys_[k] >> shift) & (kDigits - 1)]++;
+      key_scratch_[place] = keys_[k];
+      order_scratch_[place] = order_[k];
+    }
+    keys_.swap(key_scratch_);
+    order_.swap(order_scratch_);
+  }
+}
+
+template <class Real>
+void Neighbours<Real>::findCells() {
+  cells_.clear();
+  for (std::size_t k = 0; k < keys_.size(); ++k) {
+    if (k == 0 || keys_[k] != keys_[k - 1]) cells_.push_back({keys_[k], Index(k)});
+  }
+  cells_.push_back({~std::uint64_t(0), Index(keys_.size())});
+}
+
+template <class Real>
+typename Neighbours<Real>::Row Neighbours<Real>::row(std::uint64_t centre_key, int dy,
+                                                     int dz) const {
+  const std::uint64_t middle =
+      centre_key +
+      static_cast<std::uint64_t>((std::int64_t(dz) << (2 * kBits)) + (std::int64_t(dy) << kBits));
+  const auto before = [](const Cell& cell, std::uint64_t key) { return cell.key < key; };
+  auto cell = std::lower_bound(cells_.begin(), cells_.end(), middle - 1, before);
+  const Index first = cell->first;
+  while (cell->key <= middle + 1) ++cell;
+  return {first, cell->first};
+}
+
+template <class Real>
+void Neighbours<Real>::buildChunk(std::size_t chunk, const VectorField<Real>& predicted) {
+  std::vector<Index>& list = chunks_[chunk].list;
+  list.clear();
+  const std::size_t end = std::min((chunk + 1) * kChunk, predicted.size());
+  const Real limit = reach_ * reach_;
+  std::array<Row, 9> rows{};
+  std::uint64_t rows_key = 0;
+  for (std::size_t i = chunk * kChunk; i < end; ++i) {
+    if (keys_[i] != rows_key) {
+      rows_key = keys_[i];
+      for (int k = 0; k < 9; ++k) rows[std::size_t(k)] = row(rows_key, k % 3 - 1, k / 3 - 1);
+    }
+    begin_[i] = Index(list.size());
+    const Vec3<Real> xi = predicted.at(i);
+    for (const Row& cells : rows) {
+      for (Index j = cells.first; j < cells.last; ++j) {
+        const Real dx = predicted.x[j] - xi.x();
+        const Real dy = predicted.y[j] - xi.y();
+        const Real dz = predicted.z[j] - xi.z();
+        if (dx * dx + dy * dy + dz * dz < limit && j != i) list.push_back(j);
+      }
+    }
+    end_[i] = Index(list.size());
+  }
+}
+
+template <class Real>
+void Neighbours<Real>::build(const VectorField<Real>& predicted) {
+  const std::size_t n = predicted.size();
+  findCells();
+  built_at_ = predicted;
+  begin_.resize(n);
+  end_.resize(n);
+  const std::size_t chunks = (n + kChunk - 1) / kChunk;
+  chunks_.resize(chunks);
+  tbb::parallel_for(std::size_t(0), chunks, [&](std::size_t k) { buildChunk(k, predicted); });
+  ++builds_;
+}
+
+template <class Real>
+std::size_t Neighbours<Real>::pairs() const {
+  std::size_t count = 0;
+  for (const Chunk& chunk : chunks_) count += chunk.list.size();
+  return count / 2;
+}
+
+template <class Real>
+std::size_t Neighbours<Real>::bytes() const {
+  std::size_t total =
+      built_at_.bytes() + (keys_.capacity() + key_scratch_.capacity()) * sizeof(std::uint64_t) +
+      (order_.capacity() + order_scratch_.capacity() + begin_.capacity() + end_.capacity()) *
+          sizeof(Index) +
+      cells_.capacity() * sizeof(Cell);
+  for (const Chunk& chunk : chunks_) total += chunk.list.capacity() * sizeof(Index);
+  return total;
+}
+
+template class Neighbours<float>;
+template class Neighbours<double>;
+
+}  // namespace ice_ice_baby

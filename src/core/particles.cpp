@@ -1,0 +1,68 @@
+#include "ice_ice_baby/particles.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+template <class T>
+void permute(std::vector<T>& values, const std::vector<Index>& order) {
+  thread_local std::vector<T> sorted;
+  sorted.resize(values.size());
+  for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = values[order[k]];
+  values.swap(sorted);
+}
+
+template <class Real>
+void permute(VectorField<Real>& field, const std::vector<Index>& order) {
+  permute(field.x, order);
+  permute(field.y, order);
+  permute(field.z, order);
+}
+
+}  // namespace
+
+template <class Real>
+void Particles<Real>::reorder(const std::vector<Index>& order) {
+  permute(position, order);
+  permute(predicted, order);
+  permute(velocity, order);
+  permute(id, order);
+}
+
+template <class Real>
+Particles<Real> spawnParticles(const Scene& scene, std::vector<Spawn>& spawns) {
+  Particles<Real> particles;
+  const auto count = static_cast<std::size_t>(particleCount(scene));
+  particles.position.resize(count);
+  particles.predicted.resize(count);
+  particles.velocity.resize(count);
+  particles.id.resize(count);
+
+  const double d = scene.fluid.spacing_m;
+  std::uint32_t i = 0;
+  for (const Block& block : scene.blocks) {
+    const std::uint32_t first = i;
+    const auto size = latticeSize(block, d);
+    for (std::int64_t z = 0; z < size.z(); ++z) {
+      for (std::int64_t y = 0; y < size.y(); ++y) {
+        for (std::int64_t x = 0; x < size.x(); ++x, ++i) {
+          const Vec3d cell(double(x) + 0.5, double(y) + 0.5, double(z) + 0.5);
+          const Vec3<Real> point = (block.min_m + d * cell).template cast<Real>();
+          particles.position.set(i, point);
+          particles.predicted.set(i, point);
+          particles.velocity.set(i, block.velocity_m_s.cast<Real>());
+          particles.id[i] = i;
+        }
+      }
+    }
+    spawns.push_back({first, i - first});
+  }
+  return particles;
+}
+
+template struct Particles<float>;
+template struct Particles<double>;
+template Particles<float> spawnParticles(const Scene&, std::vector<Spawn>&);
+template Particles<double> spawnParticles(const Scene&, std::vector<Spawn>&);
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,124 @@
+#include "ice_ice_baby/scene.h"
+
+#include <cmath>
+
+#include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/kernels.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+constexpr double kPaperSupportRadius_m = 0.03;
+constexpr double kPaperSpacing_m = 0.0211;
+constexpr double kPaperEpsilon_1_m2 = 0.1;
+
+void requireFluid(const Scene& scene) {
+  const double h = scene.supportRadius_m();
+  const FluidParams& fluid = scene.fluid;
+  if (fluid.particle_mass_kg == 0.0 || !fluid.self_density) return;
+  const double lone_density = fluid.particle_mass_kg * densityAtZero(fluid.kernel, h);
+  if (lone_density < fluid.rest_density_kg_m3) return;
+  throw InvalidInput(
+      "these constants cannot be a fluid: a lone particle already has density " +
+      numberText(lone_density) + " kg/m3 (mass " + numberText(fluid.particle_mass_kg) +
+      " kg x W(0) at h = " + numberText(h) +
+      " m), at or above fluid.rest_density_kg_m3 = " + numberText(fluid.rest_density_kg_m3) +
+      ", so every particle would be pushed for ever. Set fluid.particle_mass_kg to 0 (sampled from "
+      "the "
+      "lattice), raise fluid.rest_density_kg_m3, or set fluid.self_density to false as the paper "
+      "does");
+}
+
+}  // namespace
+
+Posed Collider::pose() const {
+  const Vec3d rpy = rpy_deg * (M_PI / 180.0);
+  Posed pose;
+  pose.position = position_m;
+  pose.rotation =
+      (Eigen::AngleAxisd(rpy.z(), Vec3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Vec3d::UnitY()) *
+       Eigen::AngleAxisd(rpy.x(), Vec3d::UnitX()))
+          .toRotationMatrix();
+  return pose;
+}
+
+double Scene::supportRadius_m() const {
+  return fluid.support_radius_m > 0.0 ? fluid.support_radius_m : 2.0 * fluid.spacing_m;
+}
+
+Eigen::Array<std::int64_t, 3, 1> latticeSize(const Block& block, double spacing_m) {
+  const Eigen::Array3d extent = (block.max_m - block.min_m).array() / spacing_m;
+  Eigen::Array<std::int64_t, 3, 1> size = (extent + 1e-6).floor().max(0.0).cast<std::int64_t>();
+  if (block.sheet) {
+    Eigen::Index thinnest = 0;
+    extent.minCoeff(&thinnest);
+    size[thinnest] = 1;
+  }
+  return size;
+}
+
+std::int64_t particleCount(const Scene& scene) {
+  double count = 0.0;
+  for (const Block& block : scene.blocks) {
+    count += latticeSize(block, scene.fluid.spacing_m).cast<double>().prod();
+  }
+  return static_cast<std::int64_t>(std::min(count, 9e18));
+}
+
+void validate(const Scene& scene) {
+  const double d = scene.fluid.spacing_m;
+  requireInRange("fluid.support_radius_m / fluid.spacing_m", scene.supportRadius_m() / d, 1.05,
+                 4.0);
+  if (!(scene.temperature.freezing_c < scene.temperature.onset_c)) {
+    throw InvalidInput(
+        "temperature.freezing_c = " + numberText(scene.temperature.freezing_c) +
+        " must be below temperature.onset_c = " + numberText(scene.temperature.onset_c));
+  }
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const Block& block = scene.blocks[k];
+    if ((latticeSize(block, d) > 0).all()) continue;
+    throw InvalidInput(
+        "blocks." + std::to_string(k) +
+        " holds no particle: max_m must exceed min_m by at least fluid.spacing_m = " +
+        numberText(d) + " along every axis");
+  }
+  const std::int64_t count = particleCount(scene);
+  if (static_cast<double>(count) > scene.limits.max_particles) {
+    throw InvalidInput(
+        "the blocks hold " + std::to_string(count) +
+        " particles, more than limits.max_particles = " + numberText(scene.limits.max_particles) +
+        "; enlarge fluid.spacing_m or raise the limit");
+  }
+  requireFluid(scene);
+}
+
+void applyPreset(Scene& scene, Preset preset, double spacing_m) {
+  scene.preset = preset;
+  if (preset == Preset::kDefault) return;
+  const double scale = spacing_m / kPaperSpacing_m;
+  FluidParams& fluid = scene.fluid;
+  fluid.support_radius_m = kPaperSupportRadius_m * scale;
+  fluid.rest_density_kg_m3 = 45000.0;
+  fluid.particle_mass_kg = scale * scale * scale;
+  fluid.kernel = KernelPair::kPoly6Spiky;
+  fluid.self_density = false;
+  fluid.wall_density = false;
+  SolverParams& solver = scene.solver;
+  solver.substeps = 2;
+  solver.iterations = 4;
+  solver.relaxation = 1.0;
+  solver.epsilon = kPaperEpsilon_1_m2 * kPaperSupportRadius_m * kPaperSupportRadius_m;
+  solver.resist_tension = true;
+  solver.viscosity_1_s = 0.0;
+  solver.max_correction_h = 0.0;
+  SpringParams& springs = scene.springs;
+  springs.reach_h = 1.0;
+  springs.contraction_only = true;
+  springs.keep_frozen = false;
+  springs.damping = 0.0;
+  springs.stick_to_colliders = false;
+  springs.sleep_speed_m_s = 0.0;
+}
+
+}  // namespace ice_ice_baby

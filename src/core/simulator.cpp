@@ -1,0 +1,286 @@
+#include "ice_ice_baby/simulator.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+
+#include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/parallel.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Lists reach this far beyond the support radius, in spacings, and live until a particle moved
+/// half.
+constexpr double kSkin = 0.3;
+
+double volume_m3(const Scene& scene) {
+  return particleMass_kg(scene.fluid, scene.supportRadius_m()) / scene.fluid.rest_density_kg_m3;
+}
+
+bool still(const Vec3d& a, const Vec3d& b) { return (a - b).squaredNorm() == 0.0; }
+
+}  // namespace
+
+template <class Real>
+Simulator<Real>::Simulator(const Scene& scene, int threads)
+    : scene_(scene),
+      arena_(threads > 0 ? threads : tbb::task_arena::automatic),
+      particles_(spawnParticles<Real>(scene, spawns_)),
+      temperature_(scene),
+      colliders_(scene, scene.fluid.spacing_m / 2),
+      neighbours_(static_cast<Real>(scene.supportRadius_m()),
+                  static_cast<Real>(kSkin * scene.fluid.spacing_m)) {
+  if (scene.fluid.wall_density && !colliders_.empty()) {
+    walls_.emplace(scene, colliders_, volume_m3(scene));
+  }
+  density_ = makeDensityConstraint<Real>(scene, walls_ ? &*walls_ : nullptr);
+  if (scene.solver.viscosity_1_s > 0.0) viscosity_.emplace(scene, volume_m3(scene));
+  arena_.execute([&] {
+    findNeighbours();
+    joinSheets();
+    density_->computeLambda(particles_, neighbours_);
+    updateTemperature(0.0);
+    updateReport(0.0);
+  });
+}
+
+template <class Real>
+const StepReport& Simulator<Real>::advanceFrame() {
+  const auto start = std::chrono::steady_clock::now();
+  const int substeps = scene_.solver.substeps;
+  const double dt_s = 1.0 / (scene_.solver.frame_rate_hz * substeps);
+  report_.speed_limited = 0;
+  ++report_.frame;
+  report_.time_s = double(report_.frame) / scene_.solver.frame_rate_hz;
+  updateTemperature(report_.time_s);
+  arena_.execute([&] {
+    if (!report_.asleep) {
+      for (int k = 0; k < substeps; ++k) {
+        if (colliders_moving_) {
+          colliders_.setSubstep(double(k) / substeps, double(k + 1) / substeps);
+        }
+        substep(dt_s);
+      }
+    }
+    if (colliders_moving_) {
+      colliders_.endFrame();
+      colliders_.setSubstep(1.0, 1.0);
+      colliders_moving_ = false;
+    }
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    report_clock_.run([&] { updateReport(wall.count()); });
+    updateSleep();
+  });
+  return report_;
+}
+
+/// Algorithm 1 of the paper, line by line.
+template <class Real>
+void Simulator<Real>::substep(double dt_s) {
+  const Real dt = static_cast<Real>(dt_s);
+  predict_clock_.run([&] { applyForcesAndPredict(dt); });
+  neighbours_clock_.run([&] { findNeighbours(); });
+  if (strictness_ > 0.0) make_springs_clock_.run([&] { makeSprings(); });
+
+  for (int iteration = 0; iteration < scene_.solver.iterations; ++iteration) {
+    lambda_clock_.run([&] { density_->computeLambda(particles_, neighbours_); });
+    delta_p_clock_.run([&] { density_->computeDeltaP(particles_, neighbours_); });
+    if (!colliders_.empty()) collide_clock_.run([&] { respondToCollisions(); });
+    if (springs_) {
+      correct_springs_clock_.run(
+          [&] { springs_->correct(particles_.predicted, strictness_, dt_s); });
+    }
+    position_clock_.run([&] { updatePredicted(); });
+  }
+  const bool moved_since_response = springs_ || scene_.solver.iterations == 0;
+  if (moved_since_response && !colliders_.empty()) collide_clock_.run([&] { finishCollisions(); });
+
+  velocity_clock_.run([&] { updateVelocityAndPosition(dt); });
+  if (viscosity_) viscosity_clock_.run([&] { viscosity_->apply(particles_, neighbours_, dt_s); });
+  if (springs_ && springs_kept_ && scene_.springs.damping > 0.0) {
+    damp_springs_clock_.run([&] { springs_->damp(particles_.velocity, particles_.position); });
+  }
+}
+
+template <class Real>
+void Simulator<Real>::applyForcesAndPredict(Real dt) {
+  const Vec3<Real> gravity = scene_.gravity_m_s2.cast<Real>();
+  parallelFor(particles_.size(), [&](std::size_t i) {
+    const Vec3<Real> v = particles_.velocity.at(i) + dt * gravity;
+    particles_.velocity.set(i, v);
+    particles_.predicted.set(i, particles_.position.at(i) + dt * v);
+  });
+}
+
+template <class Real>
+void Simulator<Real>::findNeighbours() {
+  if (!neighbours_.stale(particles_.predicted)) return;
+  const std::vector<Index>& order = neighbours_.sortOrder(particles_.predicted);
+  particles_.reorder(order);
+  if (springs_) springs_->renumber(order);
+  neighbours_.build(particles_.predicted);
+}
+
+template <class Real>
+void Simulator<Real>::makeSprings() {
+  if (springs_kept_) return;
+  if (!springs_) springs_.emplace(scene_.springs);
+  const double reach = scene_.springs.reach_h * scene_.supportRadius_m();
+  springs_->make(particles_, neighbours_, static_cast<Real>(reach));
+  springs_kept_ = frozen() && scene_.springs.keep_frozen;
+}
+
+/// Amends delta p so that x* + delta p lies outside every collider.
+template <class Real>
+void Simulator<Real>::respondToCollisions() {
+  VectorField<Real>& delta_p = density_->deltaP();
+  parallelFor(particles_.size(), [&](std::size_t i) {
+    const Vec3<Real> predicted = particles_.predicted.at(i);
+    const Vec3<Real> wanted = predicted + delta_p.at(i);
+    const Vec3<Real> end = colliders_.respond(particles_.position.at(i), wanted, sticks());
+    delta_p.set(i, end - predicted);
+  });
+}
+
+template <class Real>
+void Simulator<Real>::updatePredicted() {
+  const VectorField<Real>& delta_p = density_->deltaP();
+  parallelFor(particles_.size(),
+              [&](std::size_t i) { particles_.predicted.add(i, delta_p.at(i)); });
+}
+
+/// Takes what springs or plain flight pushed into a collider out of it again.
+template <class Real>
+void Simulator<Real>::finishCollisions() {
+  parallelFor(particles_.size(), [&](std::size_t i) {
+    const Vec3<Real> wanted = particles_.predicted.at(i);
+    particles_.predicted.set(i, colliders_.respond(particles_.position.at(i), wanted, sticks()));
+  });
+}
+
+/// v = (x* - x) / dt, x = x*. A value that is not finite puts its particle back to rest where it
+/// was; one above the speed limit is slowed to it. Both are counted.
+template <class Real>
+void Simulator<Real>::updateVelocityAndPosition(Real dt) {
+  const Real limit = static_cast<Real>(scene_.solver.max_speed_m_s);
+  std::atomic<std::uint64_t> limited{0}, repaired{0};
+  parallelFor(particles_.size(), [&](std::size_t i) {
+    Vec3<Real> v = (particles_.predicted.at(i) - particles_.position.at(i)) / dt;
+    if (!v.allFinite()) {
+      v.setZero();
+      particles_.predicted.set(i, particles_.position.at(i));
+      repaired.fetch_add(1, std::memory_order_relaxed);
+    }
+    const Real speed = v.norm();
+    if (speed > limit) {
+      v *= limit / speed;
+      limited.fetch_add(1, std::memory_order_relaxed);
+    }
+    particles_.velocity.set(i, v);
+    particles_.position.set(i, particles_.predicted.at(i));
+  });
+  report_.speed_limited += limited;
+  report_.non_finite += repaired;
+}
+
+template <class Real>
+void Simulator<Real>::updateTemperature(double time_s) {
+  temperature_.advanceTo(time_s);
+  const double before = strictness_;
+  strictness_ = temperature_.strictness();
+  if (strictness_ != before) wake();
+  if (strictness_ < 1.0) springs_kept_ = false;
+  if (strictness_ > 0.0 || !springs_) return;
+  springs_->melt();
+  if (springs_->empty()) springs_.reset();
+}
+
+template <class Real>
+void Simulator<Real>::joinSheets() {
+  for (std::size_t k = 0; k < scene_.blocks.size(); ++k) {
+    if (!scene_.blocks[k].sheet) continue;
+    if (!springs_) springs_.emplace(scene_.springs);
+    springs_->addSheet(particles_, neighbours_, spawns_[k],
+                       static_cast<Real>(1.5 * scene_.fluid.spacing_m));
+  }
+}
+
+/// Frozen water slower than the sleep speed for half a second sleeps; anything new wakes it.
+template <class Real>
+void Simulator<Real>::updateSleep() {
+  const bool slow = report_.max_speed_m_s < scene_.springs.sleep_speed_m_s;
+  still_s_ = springs_kept_ && slow ? still_s_ + 1.0 / scene_.solver.frame_rate_hz : 0.0;
+  if (report_.asleep || still_s_ < 0.5) return;
+  report_.asleep = true;
+  for (auto* axis : {&particles_.velocity.x, &particles_.velocity.y, &particles_.velocity.z}) {
+    std::fill(axis->begin(), axis->end(), Real(0));
+  }
+}
+
+template <class Real>
+void Simulator<Real>::wake() {
+  report_.asleep = false;
+  still_s_ = 0.0;
+}
+
+template <class Real>
+void Simulator<Real>::setTemperature(double celsius, double ramp_s) {
+  requireTemperature(celsius, ramp_s);
+  temperature_.set(celsius, ramp_s);
+  updateTemperature(report_.time_s);
+  report_.temperature_c = temperature_.celsius();
+  report_.strictness = strictness_;
+  report_.springs = springs_ ? springs_->size() : 0;
+}
+
+template <class Real>
+void Simulator<Real>::setGravity(const Vec3d& gravity_m_s2) {
+  requireGravity(gravity_m_s2);
+  if (still(gravity_m_s2, scene_.gravity_m_s2)) return;
+  scene_.gravity_m_s2 = gravity_m_s2;
+  wake();
+}
+
+template <class Real>
+void Simulator<Real>::moveCollider(const std::string& name, const Posed& pose) {
+  const Posed now = colliders_.pose(name);
+  for (int axis = 0; axis < 3; ++axis) {
+    requireInRange("position of collider " + name, pose.position[axis], kCoordinateRange_m.min,
+                   kCoordinateRange_m.max);
+  }
+  if (!pose.rotation.allFinite() || !pose.rotation.isUnitary(1e-6)) {
+    throw InvalidInput("rotation of collider " + name + " must be a unit quaternion");
+  }
+  if (still(now.position, pose.position) && now.rotation == pose.rotation) return;
+  colliders_.moveTo(name, pose);
+  colliders_moving_ = true;
+  wake();
+}
+
+void requireTemperature(double celsius, double ramp_s) {
+  requireInRange("temperature in degrees Celsius", celsius, kTemperatureRange_c.min,
+                 kTemperatureRange_c.max);
+  requireInRange("ramp in seconds", ramp_s, 0.0, 1e6);
+}
+
+void requireGravity(const Vec3d& gravity_m_s2) {
+  for (int axis = 0; axis < 3; ++axis) {
+    requireInRange("gravity in m/s^2", gravity_m_s2[axis], kGravityRange_m_s2.min,
+                   kGravityRange_m_s2.max);
+  }
+}
+
+std::unique_ptr<Simulation> makeSimulation(const Scene& scene, Precision precision, int threads) {
+  requireInRange("threads", threads, 0, 1024);
+  validate(scene);
+  if (precision == Precision::kDouble) return std::make_unique<Simulator<double>>(scene, threads);
+  return std::make_unique<Simulator<float>>(scene, threads);
+}
+
+template class Simulator<float>;
+template class Simulator<double>;
+
+}  // namespace ice_ice_baby

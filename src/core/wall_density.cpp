@@ -1,0 +1,234 @@
+#include "ice_ice_baby/wall_density.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ice_ice_baby {
+
+namespace {
+
+constexpr int kTableSize = 512;
+constexpr int kEdgeSize = 64;
+
+double kernelValue(KernelPair pair, double h, double r) {
+  return pair == KernelPair::kCubic ? CubicSpline<double>(h).w(r) : Poly6<double>(h).w(r);
+}
+
+/// Share of a sphere of radius r, its centre at a distance from that of a ball, that lies in the
+/// ball.
+double shareInside(double r, double distance, double ball) {
+  const double cosine = (distance * distance + r * r - ball * ball) / (2 * distance * r);
+  return 0.5 * (1 - std::clamp(cosine, -1.0, 1.0));
+}
+
+}  // namespace
+
+template <class Real>
+WallDensity<Real>::WallDensity(const Scene& scene, const Colliders<Real>& colliders,
+                               double volume_m3)
+    : colliders_(colliders),
+      kernel_(scene.fluid.kernel),
+      h_(scene.supportRadius_m()),
+      spacing_(scene.fluid.spacing_m),
+      volume_(volume_m3),
+      radius_(static_cast<Real>(spacing_ / 2)) {
+  plane_ = halfSpace();
+  if (!colliders.containers.empty()) edge_ = edge();
+  for (const auto& body : colliders.spheres) spheres_.push_back(ball(body.shape.reach - radius_));
+}
+
+/// Sum over the lattice that goes on behind `walls` walls at right angles, in their common region.
+template <class Real>
+double WallDensity<Real>::ghosts(const std::array<double, 3>& distances, int walls) const {
+  const int reach = static_cast<int>(h_ / spacing_) + 1;
+  const auto offset = [&](int axis, int k) {
+    return axis < walls ? distances[std::size_t(axis)] + (k + 0.5) * spacing_ : k * spacing_;
+  };
+  const auto first = [&](int axis) { return axis < walls ? 0 : -reach; };
+  double sum = 0.0;
+  for (int x = first(0); x <= reach; ++x) {
+    for (int y = first(1); y <= reach; ++y) {
+      for (int z = first(2); z <= reach; ++z) {
+        const Vec3d ghost(offset(0, x), offset(1, y), offset(2, z));
+        sum += kernelValue(kernel_, h_, ghost.norm());
+      }
+    }
+  }
+  return volume_ * sum;
+}
+
+template <class Real>
+template <class Function>
+typename WallDensity<Real>::Table WallDensity<Real>::tabulate(const Function& function) const {
+  Table table;
+  table.per_m = static_cast<Real>(kTableSize / h_);
+  for (int k = 0; k <= kTableSize; ++k) {
+    table.values.push_back(static_cast<Real>(function(h_ * k / kTableSize)));
+  }
+  table.values.push_back(0);
+  return table;
+}
+
+template <class Real>
+typename WallDensity<Real>::Table WallDensity<Real>::halfSpace() const {
+  return tabulate([&](double distance) { return ghosts({distance, 0, 0}, 1); });
+}
+
+template <class Real>
+typename WallDensity<Real>::Table WallDensity<Real>::ball(Real radius) const {
+  constexpr int kShells = 400;
+  return tabulate([&](double distance) {
+    double sum = 0.0;
+    for (int k = 0; k < kShells; ++k) {
+      const double r = h_ * (k + 0.5) / kShells;
+      sum += 4 * M_PI * r * r * kernelValue(kernel_, h_, r) *
+             shareInside(r, distance + double(radius), double(radius)) * h_ / kShells;
+    }
+    return sum;
+  });
+}
+
+template <class Real>
+std::pair<Real, Real> WallDensity<Real>::Table::at(Real distance) const {
+  const Real place = std::max(distance, Real(0)) * per_m;
+  if (!(place < kTableSize)) return {0, 0};
+  const auto k = static_cast<std::size_t>(place);
+  const Real rise = values[k + 1] - values[k];
+  return {values[k] + (place - static_cast<Real>(k)) * rise, rise * per_m};
+}
+
+template <class Real>
+typename WallDensity<Real>::EdgeTable WallDensity<Real>::edge() const {
+  EdgeTable table;
+  table.per_m = static_cast<Real>(kEdgeSize / h_);
+  for (int a = 0; a <= kEdgeSize; ++a) {
+    for (int b = 0; b <= kEdgeSize; ++b) {
+      table.values.push_back(
+          static_cast<Real>(ghosts({h_ * a / kEdgeSize, h_ * b / kEdgeSize, 0}, 2)));
+    }
+  }
+  return table;
+}
+
+template <class Real>
+typename WallDensity<Real>::EdgeTable::Sample WallDensity<Real>::EdgeTable::at(Real a,
+                                                                               Real b) const {
+  a = std::max(a, Real(0)) * per_m;
+  b = std::max(b, Real(0)) * per_m;
+  if (!(a < kEdgeSize && b < kEdgeSize)) return {0, 0, 0};
+  const auto row = static_cast<std::size_t>(a);
+  const auto column = static_cast<std::size_t>(b);
+  const Real u = a - static_cast<Real>(row);
+  const Real v = b - static_cast<Real>(column);
+  const Real* low = &values[row * (kEdgeSize + 1) + column];
+  const Real* high = low + kEdgeSize + 1;
+  const Real at_low = low[0] + v * (low[1] - low[0]);
+  const Real at_high = high[0] + v * (high[1] - high[0]);
+  const Real slope_b = (1 - u) * (low[1] - low[0]) + u * (high[1] - high[0]);
+  return {at_low + u * (at_high - at_low), (at_high - at_low) * per_m, slope_b * per_m};
+}
+
+template <class Real>
+void WallDensity<Real>::addCorner(const std::array<NearWall, 3>& walls,
+                                  WallSample<Real>& sample) const {
+  std::array<double, 3> distances{};
+  for (std::size_t k = 0; k < 3; ++k) distances[k] = std::max(0.0, double(walls[k].distance));
+  sample.value += static_cast<Real>(ghosts(distances, 3));
+  const double step = 1e-4 * h_;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::array<double, 3> above = distances, below = distances;
+    above[k] += step;
+    below[k] -= step;
+    const double slope = (ghosts(above, 3) - ghosts(below, 3)) / (2 * step);
+    sample.gradient[walls[k].axis] += walls[k].sign * static_cast<Real>(slope);
+  }
+}
+
+/// Half spaces of all walls, less what two share, plus what three share.
+template <class Real>
+WallSample<Real> WallDensity<Real>::inBox(const NearWall* walls, int count) const {
+  WallSample<Real> sample;
+  for (int a = 0; a < count; ++a) {
+    const NearWall& one = walls[a];
+    const auto [density, slope] = plane_.at(one.distance);
+    sample.value += density;
+    sample.gradient[one.axis] += one.sign * slope;
+    for (int b = a + 1; b < count; ++b) {
+      const NearWall& two = walls[b];
+      if (two.axis == one.axis) continue;
+      const auto shared = edge_.at(one.distance, two.distance);
+      sample.value -= shared.value;
+      sample.gradient[one.axis] -= one.sign * shared.slope_a;
+      sample.gradient[two.axis] -= two.sign * shared.slope_b;
+      for (int c = b + 1; c < count; ++c) {
+        if (walls[c].axis != two.axis) addCorner({one, two, walls[c]}, sample);
+      }
+    }
+  }
+  return sample;
+}
+
+template <class Real>
+void WallDensity<Real>::addContainer(const Body<Real, ContainerShape<Real>>& body,
+                                     const Vec3<Real>& point, WallSample<Real>& sample) const {
+  const Vec3<Real> local = body.motion.to.toLocal(point);
+  if (!body.shape.inside(local)) return;
+  const Real h = static_cast<Real>(h_);
+  std::array<NearWall, 6> walls{};
+  int count = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Real low = local[axis] - body.shape.inner.low[axis] + radius_;
+    const Real high = body.shape.inner.high[axis] + radius_ - local[axis];
+    const bool open = axis == 2 && body.shape.open_top;
+    if (low < h) walls[std::size_t(count++)] = {axis, low, 1};
+    if (high < h && !open) walls[std::size_t(count++)] = {axis, high, -1};
+  }
+  if (count == 0) return;
+  const WallSample<Real> box = inBox(walls.data(), count);
+  sample.value += box.value;
+  sample.gradient += body.motion.to.rotation * box.gradient;
+}
+
+template <class Real>
+void WallDensity<Real>::addPlane(const Body<Real, PlaneShape<Real>>& body, const Vec3<Real>& point,
+                                 WallSample<Real>& sample) const {
+  const Vec3<Real> local = body.motion.to.toLocal(point);
+  const Real distance = local.z() - body.shape.surface + radius_;
+  const BoxShape<Real>& plate = body.shape.plate;
+  const bool beside =
+      !body.shape.infinite && ((local.head(2).array() < plate.low.head(2).array()).any() ||
+                               (local.head(2).array() > plate.high.head(2).array()).any());
+  if (beside || distance < 0) return;
+  const auto [density, slope] = plane_.at(distance);
+  sample.value += density;
+  sample.gradient += body.motion.to.rotation.col(2) * slope;
+}
+
+template <class Real>
+WallSample<Real> WallDensity<Real>::at(const Vec3<Real>& point) const {
+  WallSample<Real> sample;
+  for (const auto& body : colliders_.containers) addContainer(body, point, sample);
+  for (const auto& body : colliders_.planes) addPlane(body, point, sample);
+  for (std::size_t k = 0; k < spheres_.size(); ++k) {
+    const auto& body = colliders_.spheres[k];
+    const Vec3<Real> out = point - body.motion.to.position;
+    const Real distance = out.norm();
+    const auto [density, slope] = spheres_[k].at(distance - body.shape.reach + radius_);
+    sample.value += density;
+    if (distance > 0) sample.gradient += out * (slope / distance);
+  }
+  return sample;
+}
+
+template <class Real>
+std::size_t WallDensity<Real>::bytes() const {
+  std::size_t total = plane_.values.capacity() * sizeof(Real);
+  for (const Table& table : spheres_) total += table.values.capacity() * sizeof(Real);
+  return total;
+}
+
+template class WallDensity<float>;
+template class WallDensity<double>;
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,108 @@
+#include "run_report.h"
+
+#include <algorithm>
+#include <cinttypes>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+std::string hexText(std::uint64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016" PRIx64, value);
+  return text;
+}
+
+}  // namespace
+
+void RunRecord::addFrame(const StepReport& report, const Simulation::DensityError& error) {
+  wall_time_s += report.frame_wall_s;
+  speed_limited += report.speed_limited;
+  peak_limited = std::max(peak_limited, std::size_t(report.speed_limited));
+  ++samples;
+  const double weight = 1.0 / double(samples);
+  density_error_mean += weight * (error.mean - density_error_mean);
+  density_error_max += weight * (error.max - density_error_max);
+  own_error_mean += weight * (report.density_error_mean - own_error_mean);
+}
+
+double RunRecord::realTimeFactor(double simulated_s) const {
+  return wall_time_s > 0.0 ? simulated_s / wall_time_s : 0.0;
+}
+
+std::string instability(const RunRecord& record, const StepReport& report) {
+  if (report.non_finite > 0) {
+    return std::to_string(report.non_finite) + " values were not finite and had to be repaired";
+  }
+  if (record.escaped > 0) {
+    return std::to_string(record.escaped) + " particles left a closed container";
+  }
+  if (2 * record.peak_limited > report.particles && report.particles > 0) {
+    return "the speed limit had to slow more than half of all particles within one frame";
+  }
+  return "";
+}
+
+void writeReport(const std::string& path, const Simulation& simulation, const RunRecord& record) {
+  const StepReport& report = simulation.report();
+  nlohmann::ordered_json json;
+  json["scene"] = simulation.scene().name;
+  json["preset"] = choices(Preset())[std::size_t(simulation.scene().preset)];
+  json["particles"] = report.particles;
+  json["springs"] = report.springs;
+  json["simulated_time_s"] = report.time_s;
+  json["wall_time_s"] = record.wall_time_s;
+  json["real_time_factor"] = record.realTimeFactor(report.time_s);
+  json["frames"] = report.frame;
+  json["steps"] = record.steps;
+  json["density_error_mean"] = record.density_error_mean;
+  json["density_error_max"] = record.density_error_max;
+  json["density_error_own_kernel_mean"] = record.own_error_mean;
+  json["kinetic_energy_j"] = report.kinetic_energy_j;
+  json["potential_energy_j"] = report.potential_energy_j;
+  json["max_speed_m_s"] = report.max_speed_m_s;
+  json["rms_speed_m_s"] = report.rms_speed_m_s;
+  json["temperature_c"] = report.temperature_c;
+  json["strictness"] = report.strictness;
+  json["asleep"] = report.asleep;
+  json["speed_limited"] = record.speed_limited;
+  json["escaped"] = record.escaped;
+  json["non_finite"] = report.non_finite;
+  json["unstable"] = instability(record, report);
+  json["state_hash"] = hexText(simulation.stateHash());
+  json["threads"] = record.threads;
+  json["precision"] = record.precision;
+  json["stages"] = nlohmann::ordered_json::array();
+  for (const StageStats& stage : simulation.stages()) {
+    json["stages"].push_back({{"name", stage.name},
+                              {"calls", stage.calls},
+                              {"time_s", stage.time_s},
+                              {"bytes", stage.bytes}});
+  }
+  std::ofstream file(path);
+  file << json.dump(2) << "\n";
+  file.close();
+  if (!file) throw InvalidInput("cannot write the report to " + path);
+}
+
+std::string profileTable(const Simulation& simulation) {
+  double total = 0.0;
+  for (const StageStats& stage : simulation.stages()) total += stage.time_s;
+  std::string table = "stage               calls     time s   share   us/call        bytes\n";
+  for (const StageStats& stage : simulation.stages()) {
+    char line[128];
+    std::snprintf(line, sizeof line, "%-16s %8" PRIu64 " %10.4f  %5.1f%% %9.1f %12zu\n",
+                  stage.name.c_str(), stage.calls, stage.time_s,
+                  total > 0 ? 100 * stage.time_s / total : 0.0,
+                  stage.calls > 0 ? 1e6 * stage.time_s / double(stage.calls) : 0.0, stage.bytes);
+    table += line;
+  }
+  return table;
+}
+
+}  // namespace ice_ice_baby

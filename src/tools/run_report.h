@@ -1,0 +1,39 @@
+// What run_scene tells of a run: the JSON of --report, the table of --profile and the verdict.
+#pragma once
+
+#include <string>
+
+#include "ice_ice_baby/simulation.h"
+
+namespace ice_ice_baby {
+
+/// Sums over the frames of a run.
+struct RunRecord {
+  std::string precision;
+  int threads = 0;
+  double wall_time_s = 0.0;
+  std::uint64_t steps = 0;  ///< substeps
+  std::uint64_t speed_limited = 0;
+  std::size_t peak_limited = 0;   ///< most particles slowed by the speed limit in one frame
+  double density_error_mean = 0;  ///< mean over the samples of the mean, cubic-spline yardstick
+  double density_error_max = 0;   ///< mean over the samples of the maximum
+  double own_error_mean = 0;      ///< the same mean in the solver's own kernel
+  double residual_speed_m_s = 0;  ///< root mean square over the last half second, sleep aside
+  std::size_t samples = 0;
+  std::size_t escaped = 0;
+
+  void addFrame(const StepReport& report, const Simulation::DensityError& error);
+  /// Frames to seconds of simulated time per second of wall time.
+  double realTimeFactor(double simulated_s) const;
+};
+
+/// Why the run counts as unstable, or "" when it does not.
+std::string instability(const RunRecord& record, const StepReport& report);
+
+/// Writes the JSON report. @throws InvalidInput when the file cannot be written
+void writeReport(const std::string& path, const Simulation& simulation, const RunRecord& record);
+
+/// Table of the stages: calls, time, share, bytes.
+std::string profileTable(const Simulation& simulation);
+
+}  // namespace ice_ice_baby
