@@ -1,0 +1,217 @@
+#include "control_panel.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <cmath>
+#include <pluginlib/class_list_macros.hpp>
+#include <string>
+#include <vector>
+
+#include "state_view.h"
+#include "temperature_control.h"
+
+Q_DECLARE_METATYPE(ice_ice_baby::Answer)
+Q_DECLARE_METATYPE(ice_ice_baby::State)
+
+namespace ice_ice_baby {
+namespace {
+
+const char* const DEFAULT_NODE = "/ice_ice_baby";
+constexpr int WATCH_MS = 1000;
+constexpr int SILENCE_MS = 2000;  ///< without a state for so long the node is asked
+
+QPushButton* makeButton(const char* text, const char* object_name, const char* tip) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(object_name);
+  button->setToolTip(tip);
+  return button;
+}
+
+}  // namespace
+
+ControlPanel::ControlPanel(QWidget* parent)
+    : rviz::Panel(parent),
+      node_(new QLineEdit(DEFAULT_NODE)),
+      temperature_(new TemperatureControl),
+      pause_(makeButton("Pause", "pause_button", "Holds the simulation or lets it run on")),
+      step_(makeButton("Step", "step_button", "One frame, while paused")),
+      reset_(makeButton("Reset", "reset_button", "The scene from the start")),
+      scene_(new QComboBox),
+      preset_(new QComboBox),
+      state_view_(new StateView),
+      answer_(new QLabel) {
+  qRegisterMetaType<Answer>("ice_ice_baby::Answer");
+  qRegisterMetaType<State>("ice_ice_baby::State");
+  layOut();
+  connectInputs();
+  connectClient();
+  followNode(node_->text());
+  watch_.start(WATCH_MS);
+}
+
+ControlPanel::~ControlPanel() = default;
+
+void ControlPanel::layOut() {
+  node_->setObjectName("node");
+  node_->setToolTip("Name of the simulation's node");
+  scene_->setObjectName("scene");
+  scene_->setToolTip("Starts the chosen scene");
+  preset_->setObjectName("preset");
+  preset_->setToolTip("Solver settings; a choice starts the scene anew with them");
+  preset_->addItem("as the scene has it", QString());
+  preset_->addItem("default", "default");
+  preset_->addItem("paper", "paper");
+  answer_->setObjectName("answer");
+  answer_->setWordWrap(true);
+  answer_->setTextFormat(Qt::PlainText);
+
+  auto* names = new QFormLayout;
+  names->addRow("node", node_);
+  names->addRow("scene", scene_);
+  names->addRow("preset", preset_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(pause_);
+  buttons->addWidget(step_);
+  buttons->addWidget(reset_);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(names);
+  column->addLayout(buttons);
+  column->addWidget(temperature_);
+  column->addWidget(state_view_);
+  column->addWidget(answer_);
+  column->addStretch(1);
+}
+
+void ControlPanel::connectInputs() {
+  connect(node_, &QLineEdit::editingFinished, this, [this] {
+    if (node_->text().toStdString() == client_->node()) return;
+    followNode(node_->text());
+    Q_EMIT configChanged();
+  });
+  connect(temperature_, &TemperatureControl::requested, this,
+          [this](double celsius, double ramp_s) { client_->setTemperature(celsius, ramp_s); });
+  connect(temperature_, &TemperatureControl::rampChanged, this, &ControlPanel::configChanged);
+  connect(pause_, &QPushButton::clicked, this,
+          [this] { paused_ ? client_->resume() : client_->pause(); });
+  connect(step_, &QPushButton::clicked, this, [this] { client_->step(1); });
+  connect(reset_, &QPushButton::clicked, this, [this] { startScene(QString()); });
+  connect(preset_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { startScene(QString()); });
+  connect(scene_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { startScene(scene_->currentText()); });
+  connect(&watch_, &QTimer::timeout, this, &ControlPanel::checkNode);
+}
+
+void ControlPanel::connectClient() {
+  connect(this, &ControlPanel::answerArrived, this, &ControlPanel::showAnswer,
+          Qt::QueuedConnection);
+  connect(this, &ControlPanel::stateArrived, this, &ControlPanel::showState, Qt::QueuedConnection);
+  connect(this, &ControlPanel::scenesArrived, this, &ControlPanel::showScenes,
+          Qt::QueuedConnection);
+  SimulationClient::Callbacks callbacks;
+  callbacks.answered = [this](const Answer& answer) { Q_EMIT answerArrived(answer); };
+  callbacks.state = [this](const State& state) { Q_EMIT stateArrived(state); };
+  callbacks.scenes = [this](const std::vector<std::string>& names) {
+    QStringList scenes;
+    for (const std::string& name : names) scenes << QString::fromStdString(name);
+    Q_EMIT scenesArrived(scenes);
+  };
+  client_ = std::make_unique<SimulationClient>(std::move(callbacks));
+}
+
+void ControlPanel::followNode(const QString& node) {
+  since_state_.invalidate();
+  reached_ = false;
+  asked_ = false;
+  take_target_ = true;
+  state_view_->forget();
+  temperature_->showInForce(std::nan(""));
+  if (!client_->follow(node.toStdString())) {
+    showLine(QString("\"%1\" is no ROS name").arg(node), false);
+    return;
+  }
+  node_->setText(QString::fromStdString(client_->node()));
+}
+
+void ControlPanel::startScene(const QString& scene) {
+  client_->reset(scene.toStdString(), preset_->currentData().toString().toStdString());
+}
+
+void ControlPanel::showAnswer(const Answer& answer) {
+  const bool asked_by_watch = answer.service == "get_state";
+  if (!answer.reached) {
+    state_view_->forget();
+    temperature_->showInForce(std::nan(""));
+    take_target_ = true;
+  }
+  const bool regained = answer.reached && !reached_;
+  reached_ = answer.reached;
+  if (asked_by_watch) asked_ = false;
+  if (asked_by_watch && answer.success) {
+    if (regained) showLine("connected", true);
+    return;
+  }
+  if (answer.service == "reset" && answer.success) take_target_ = true;
+  const QString words = QString::fromStdString(answer.message);
+  showLine(answer.reached ? QString::fromStdString(answer.service) + ": " + words : words,
+           answer.success);
+}
+
+void ControlPanel::showState(const State& state) {
+  since_state_.start();
+  paused_ = state.paused;
+  pause_->setText(paused_ ? "Resume" : "Pause");
+  step_->setEnabled(paused_);
+  state_view_->show(state);
+  temperature_->showInForce(state.temperature);
+  if (take_target_) temperature_->showTarget(state.temperature);
+  take_target_ = false;
+  if (scene_->view()->isVisible()) return;
+  scene_->setCurrentText(QString::fromStdString(state.scene));
+}
+
+void ControlPanel::showScenes(const QStringList& scenes) {
+  const QSignalBlocker quiet(scene_);
+  const QString chosen = scene_->currentText();
+  scene_->clear();
+  scene_->addItems(scenes);
+  scene_->setCurrentText(chosen);
+}
+
+void ControlPanel::showLine(const QString& text, bool good) {
+  answer_->setText(text);
+  answer_->setStyleSheet(good ? "color: #2e7d4f" : "color: #b3362b");
+}
+
+/// Asks a node that has been silent: it may be paused, new, or gone.
+void ControlPanel::checkNode() {
+  const bool silent = !since_state_.isValid() || since_state_.elapsed() > SILENCE_MS;
+  if (!silent || asked_) return;
+  asked_ = true;
+  client_->refresh();
+}
+
+void ControlPanel::load(const rviz::Config& config) {
+  rviz::Panel::load(config);
+  QString node;
+  if (config.mapGetString("Node", &node)) followNode(node);
+  float ramp_s = 0.0F;
+  if (config.mapGetFloat("Ramp", &ramp_s)) temperature_->setRamp(ramp_s);
+}
+
+void ControlPanel::save(rviz::Config config) const {
+  rviz::Panel::save(config);
+  config.mapSetValue("Node", QString::fromStdString(client_->node()));
+  config.mapSetValue("Ramp", temperature_->ramp());
+}
+
+}  // namespace ice_ice_baby
+
+PLUGINLIB_EXPORT_CLASS(ice_ice_baby::ControlPanel, rviz::Panel)
