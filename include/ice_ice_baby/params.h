@@ -83,7 +83,7 @@ void describe(SolverParams& p, Visitor&& visit) {
   visit("epsilon", p.epsilon, Range{0.0, 1e3},
         "epsilon of Eq. 5 times h^2, so that it does not depend on scale (paper: 9e-5)");
   visit("resist_tension", p.resist_tension,
-        "whether density below rest also corrects, which makes particles clump (paper: true)");
+        "whether density below rest also corrects: Eq. 5 unclamped, which clumps and can explode");
   visit(
       "viscosity_1_s", p.viscosity_1_s, Range{0.0, 1e4},
       "rate at which a particle takes on the velocity of its neighbours (XSPH); 0: no such stage");

@@ -105,11 +105,11 @@ void applyPreset(Scene& scene, Preset preset, double spacing_m) {
   fluid.self_density = false;
   fluid.wall_density = false;
   SolverParams& solver = scene.solver;
-  solver.substeps = 2;
+  solver.substeps = 8;
   solver.iterations = 4;
   solver.relaxation = 1.0;
   solver.epsilon = kPaperEpsilon_1_m2 * kPaperSupportRadius_m * kPaperSupportRadius_m;
-  solver.resist_tension = true;
+  solver.resist_tension = false;
   solver.viscosity_1_s = 0.0;
   solver.max_correction_h = 0.0;
   SpringParams& springs = scene.springs;

@@ -20,14 +20,15 @@ void Viscosity<Real>::apply(Particles<Real>& particles, const Neighbours<Real>& 
   const Real factor = volume_ * static_cast<Real>(1.0 - std::exp(-rate_1_s_ * dt_s));
   const VectorField<Real>& x = particles.predicted;
   const VectorField<Real>& v = particles.velocity;
+  const Real h2 = kernel_.h * kernel_.h;
   smoothed_.resize(n);
   parallelFor(n, [&](std::size_t i) {
     const Vec3<Real> xi = x.at(i);
     const Vec3<Real> vi = v.at(i);
     Vec3<Real> sum = Vec3<Real>::Zero();
     for (const Index j : neighbours.of(i)) {
-      const Real distance = (xi - x.at(j)).norm();
-      sum += (v.at(j) - vi) * kernel_.w(distance);
+      const Real r2 = (xi - x.at(j)).squaredNorm();
+      if (r2 < h2) sum += (v.at(j) - vi) * kernel_.w(std::sqrt(r2));
     }
     smoothed_.set(i, vi + factor * sum);
   });

@@ -67,6 +67,7 @@ void writeReport(const std::string& path, const Simulation& simulation, const Ru
   json["potential_energy_j"] = report.potential_energy_j;
   json["max_speed_m_s"] = report.max_speed_m_s;
   json["rms_speed_m_s"] = report.rms_speed_m_s;
+  json["residual_speed_m_s"] = record.residual_speed_m_s;
   json["temperature_c"] = report.temperature_c;
   json["strictness"] = report.strictness;
   json["asleep"] = report.asleep;

@@ -1,1 +1,196 @@
+// Runs a scene without ROS. Exit code 0: ran, 1: bad input, 2: became unstable.
+#include <unistd.h>
 
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <thread>
+
+#include "frame_writer.h"
+#include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/scene_loader.h"
+#include "progress_bar.h"
+#include "run_report.h"
+
+namespace ice_ice_baby {
+namespace {
+
+enum ExitCode { kRan = 0, kBadInput = 1, kUnstable = 2 };
+
+struct Options {
+  std::string scene;
+  std::string preset;
+  double duration_s = -1.0;
+  int threads = 0;
+  std::string precision = "float";
+  std::vector<std::string> overrides;
+  std::string report;
+  std::string frames;
+  double frames_hz = 30.0;
+  bool profile = false;
+  bool list = false;
+  bool defaults = false;
+};
+
+constexpr char kExamples[] = R"(Examples:
+  run_scene dam_break --profile
+  run_scene container_splash --duration 4 --frames /tmp/frames
+  run_scene freeze_container --preset paper --report report.json
+  run_scene my_scene.yaml --set solver.substeps=16 --set "gravity_m_s2=[0, 0, -1.62]"
+Exit code: 0 ran, 1 bad input, 2 became unstable.
+)";
+
+void describeOptions(CLI::App& app, Options& o) {
+  app.add_option("scene", o.scene, "name of a scene (see --list) or path of a .yaml file");
+  app.add_option("--duration", o.duration_s, "simulated seconds; without it the scene's own");
+  app.add_option("--preset", o.preset, "default or paper, in place of the scene's");
+  app.add_option("--threads", o.threads, "threads; 0: all of the machine's");
+  app.add_option("--precision", o.precision, "float or double");
+  app.add_option("--set", o.overrides,
+                 "key=value: any key of config/default.yaml by its dotted name")
+      ->allow_extra_args(false);
+  app.add_option("--report", o.report, "write a JSON report to this file");
+  app.add_option("--frames", o.frames, "write PNG pictures into this folder");
+  app.add_option("--frames-hz", o.frames_hz, "pictures per simulated second (30)");
+  app.add_flag("--profile", o.profile, "print what each stage cost");
+  app.add_flag("--list", o.list, "print the scenes and what they show");
+  app.add_flag("--defaults", o.defaults, "print every key with its default, range and meaning");
+  app.footer(kExamples);
+}
+
+Precision parsePrecision(const std::string& word) {
+  if (word == "float") return Precision::kFloat;
+  if (word == "double") return Precision::kDouble;
+  throw InvalidInput("--precision " + word + " must be float or double");
+}
+
+Scene readScene(const Options& options) {
+  if (options.scene.empty()) throw InvalidInput("name a scene; run_scene --list shows them");
+  std::vector<Override> overrides;
+  if (!options.preset.empty()) overrides.push_back({"preset", options.preset});
+  for (const std::string& text : options.overrides) overrides.push_back(parseOverride(text));
+  return loadScene(options.scene, overrides);
+}
+
+/// Root mean square over the last half second, which also sees jitter that a single frame misses.
+class ResidualSpeed {
+ public:
+  explicit ResidualSpeed(const Scene& scene)
+      : window_(static_cast<std::size_t>(std::max(1.0, 0.5 * scene.solver.frame_rate_hz))) {}
+
+  void add(double speed_m_s) {
+    squares_.push_back(speed_m_s * speed_m_s);
+    if (squares_.size() > window_) squares_.erase(squares_.begin());
+  }
+  double value() const {
+    double sum = 0.0;
+    for (const double square : squares_) sum += square;
+    return squares_.empty() ? 0.0 : std::sqrt(sum / double(squares_.size()));
+  }
+
+ private:
+  std::size_t window_;
+  std::vector<double> squares_;
+};
+
+std::string note(const StepReport& report, const RunRecord& record) {
+  char text[128];
+  std::snprintf(text, sizeof text, "%.2f s, x%.2f real time, error %.3f %%, %.1f C", report.time_s,
+                record.realTimeFactor(report.time_s), 100 * report.density_error_mean,
+                report.temperature_c);
+  return text;
+}
+
+RunRecord runFrames(Simulation& simulation, const Options& options, double duration_s) {
+  const Scene& scene = simulation.scene();
+  const auto frames =
+      static_cast<std::size_t>(std::llround(duration_s * scene.solver.frame_rate_hz));
+  const double every = std::max(1.0, scene.solver.frame_rate_hz / options.frames_hz);
+  std::unique_ptr<FrameWriter> pictures;
+  if (!options.frames.empty()) pictures = std::make_unique<FrameWriter>(options.frames, scene);
+  RunRecord record;
+  ResidualSpeed residual(scene);
+  ProgressBar bar(scene.name, frames);
+  double next_picture = 0.0;
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    if (pictures && double(frame) >= next_picture) {
+      pictures->write(simulation);
+      next_picture += every;
+    }
+    const StepReport& report = simulation.advanceFrame();
+    record.addFrame(report, simulation.measureDensityError());
+    record.steps += report.asleep ? 0 : std::uint64_t(scene.solver.substeps);
+    residual.add(report.rms_speed_m_s);
+    bar.show(frame + 1, note(report, record));
+    if (report.non_finite > 0) break;
+  }
+  record.escaped = simulation.countEscaped();
+  record.residual_speed_m_s = residual.value();
+  return record;
+}
+
+void printSummary(const Simulation& simulation, const RunRecord& record) {
+  const StepReport& report = simulation.report();
+  std::printf(
+      "%s: %zu particles, %.3f s in %.3f s (x%.2f real time, %.2f ms per frame), density error "
+      "mean "
+      "%.4f %% max %.2f %%, %zu springs, rms speed %.4f m/s%s\n",
+      simulation.scene().name.c_str(), report.particles, report.time_s, record.wall_time_s,
+      record.realTimeFactor(report.time_s),
+      report.frame > 0 ? 1e3 * record.wall_time_s / double(report.frame) : 0.0,
+      100 * record.density_error_mean, 100 * record.density_error_max, report.springs,
+      report.rms_speed_m_s, report.asleep ? ", asleep" : "");
+}
+
+int runScene(const Options& options) {
+  const Scene scene = readScene(options);
+  const double duration = options.duration_s < 0.0 ? scene.duration_s : options.duration_s;
+  requireInRange("--duration", duration, 0.0, 1e6);
+  requireInRange("--frames-hz", options.frames_hz, 1e-3, 1e4);
+  const auto simulation = makeSimulation(scene, parsePrecision(options.precision), options.threads);
+  RunRecord record = runFrames(*simulation, options, duration);
+  record.precision = options.precision;
+  record.threads = options.threads > 0 ? options.threads : int(std::thread::hardware_concurrency());
+  printSummary(*simulation, record);
+  if (options.profile) std::printf("%s", profileTable(*simulation).c_str());
+  if (!options.report.empty()) writeReport(options.report, *simulation, record);
+  const std::string why = instability(record, simulation->report());
+  if (why.empty()) return kRan;
+  std::fprintf(stderr, "run_scene: became unstable: %s\n", why.c_str());
+  return kUnstable;
+}
+
+int listScenes() {
+  for (const std::string& name : sceneNames()) {
+    std::printf("%-20s %s\n", name.c_str(), loadScene(name).description.c_str());
+  }
+  return kRan;
+}
+
+int run(const Options& options) {
+  try {
+    if (options.defaults) return std::printf("%s", defaultYaml().c_str()) < 0 ? kBadInput : kRan;
+    if (options.list) return listScenes();
+    return runScene(options);
+  } catch (const InvalidInput& e) {
+    std::fprintf(stderr, "run_scene: %s\n", e.what());
+    return kBadInput;
+  }
+}
+
+}  // namespace
+}  // namespace ice_ice_baby
+
+int main(int argc, char** argv) {
+  ice_ice_baby::Options options;
+  CLI::App app("Runs a scene of water that freezes and melts, without ROS.", "run_scene");
+  ice_ice_baby::describeOptions(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? ice_ice_baby::kRan : ice_ice_baby::kBadInput;
+  }
+  return ice_ice_baby::run(options);
+}
