@@ -1,0 +1,84 @@
+#include "clock_publisher.h"
+
+#include <ros/console.h>
+#include <ros/master.h>
+#include <ros/this_node.h>
+#include <rosgraph_msgs/Clock.h>
+
+namespace ice_ice_baby {
+
+namespace {
+
+constexpr const char* kClock = "/clock";
+
+/// Name of a node other than this one that publishes /clock, or "".
+std::string otherClock() {
+  XmlRpc::XmlRpcValue request, response, payload;
+  request[0] = ros::this_node::getName();
+  if (!ros::master::execute("getSystemState", request, response, payload, false)) return "";
+  XmlRpc::XmlRpcValue& publishers = payload[0];
+  for (int k = 0; k < publishers.size(); ++k) {
+    if (std::string(publishers[k][0]) != kClock) continue;
+    for (int n = 0; n < publishers[k][1].size(); ++n) {
+      const std::string name = publishers[k][1][n];
+      if (name != ros::this_node::getName()) return name;
+    }
+  }
+  return "";
+}
+
+ros::Time wallNow() {
+  const ros::WallTime now = ros::WallTime::now();
+  return ros::Time(now.sec, now.nsec);
+}
+
+}  // namespace
+
+ClockPublisher::ClockPublisher(ros::NodeHandle& node, bool wanted)
+    : wanted_(wanted), start_(wallNow()), now_(start_) {
+  if (!wanted_) return;
+  checkConflict();
+  if (!conflict_.empty()) return;
+  publisher_ = node.advertise<rosgraph_msgs::Clock>(kClock, 10);
+  if (!ros::Time::isSimTime()) {
+    ROS_WARN(
+        "~publish_clock is true, but /use_sim_time was not when the node started: stamps are "
+        "the machine's time. Set /use_sim_time before starting any node.");
+  }
+}
+
+ros::Time ClockPublisher::stamp() const {
+  if (!wanted_ || !ros::Time::isSimTime()) return ros::Time::now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return conflict_.empty() ? now_ : ros::Time::now();
+}
+
+void ClockPublisher::tick(double simulated_s) {
+  if (!wanted_) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  now_ = start_ + ros::Duration(simulated_s);
+  if (!publisher_ || !gate_.pass(WallClock::now(), false)) return;
+  rosgraph_msgs::Clock message;
+  message.clock = now_;
+  publisher_.publish(message);
+}
+
+void ClockPublisher::checkConflict() {
+  if (!wanted_ || !conflict().empty()) return;
+  const std::string other = otherClock();
+  if (other.empty()) return;
+  ROS_ERROR(
+      "~publish_clock is true, but %s publishes /clock already; this node stays silent. Stop "
+      "the other clock and start this node again.",
+      other.c_str());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  conflict_ = other;
+  publisher_.shutdown();
+}
+
+std::string ClockPublisher::conflict() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return conflict_;
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,105 @@
+#include "diagnostics.h"
+
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+using Level = diagnostic_msgs::DiagnosticStatus;
+
+/// Below this part of the wanted real-time factor the machine counts as overloaded.
+constexpr double kKeepsUp = 0.9;
+
+}  // namespace
+
+Diagnostics::Diagnostics(ros::NodeHandle& node, ros::NodeHandle& node_private,
+                         const NodeParameters& parameters, const SimulationThread& simulation,
+                         const Frames& frames, const Topics& topics, const ClockPublisher& clock)
+    : wanted_factor_(parameters.real_time_factor),
+      simulation_(simulation),
+      frames_(frames),
+      topics_(topics),
+      clock_(clock),
+      updater_(node, node_private, node_private.getNamespace()) {
+  updater_.setHardwareID("none");
+  updater_.add("solver", this, &Diagnostics::solver);
+  updater_.add("real time", this, &Diagnostics::speed);
+  updater_.add("topics", this, &Diagnostics::topics);
+  updater_.add("followed frames", this, &Diagnostics::followers);
+  if (clock_.wanted()) updater_.add("clock", this, &Diagnostics::clock);
+  timer_ =
+      node_private.createWallTimer(ros::WallDuration(parameters.diagnostic_period),
+                                   [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+}
+
+void Diagnostics::solver(Status& status) {
+  const Snapshot now = simulation_.snapshot();
+  const StepReport& report = now.report;
+  const std::uint64_t limited = now.speed_limited - speed_limited_;
+  speed_limited_ = now.speed_limited;
+  status.summary(Level::OK, now.paused ? "paused" : "running");
+  if (limited > 0) {
+    status.summary(Level::WARN,
+                   "the speed limit acts; raise solver.max_speed_m_s or solver.substeps");
+  }
+  if (report.non_finite > 0) {
+    status.summary(Level::WARN, "values that were not finite were repaired; raise solver.substeps");
+  }
+  if (!now.failure.empty()) {
+    status.summary(Level::ERROR, "paused because a frame failed: " + now.failure);
+  }
+  status.add("scene", now.scene);
+  status.add("particles", report.particles);
+  status.add("springs", report.springs);
+  status.add("temperature [degrees C]", report.temperature_c);
+  status.add("density error, mean", report.density_error_mean);
+  status.add("density error, maximum", report.density_error_max);
+  status.add("speed limited since the last message", limited);
+  status.add("not finite, repaired", report.non_finite);
+}
+
+void Diagnostics::speed(Status& status) {
+  const Snapshot now = simulation_.snapshot();
+  const bool watched = !now.paused && wanted_factor_ > 0.0 && now.report.frame > 1;
+  if (watched && now.real_time_factor < kKeepsUp * wanted_factor_) {
+    status.summary(Level::WARN, "slower than wanted: real-time factor " +
+                                    numberText(now.real_time_factor) + " of " +
+                                    numberText(wanted_factor_) +
+                                    "; use fewer particles, substeps or iterations");
+  } else {
+    status.summary(Level::OK, now.paused ? "paused" : "keeps up");
+  }
+  status.add("real-time factor", now.real_time_factor);
+  status.add("real-time factor wanted", wanted_factor_);
+  status.add("frame [ms]", 1e3 * now.report.frame_wall_s);
+  for (const StageStats& stage : now.stages) {
+    const double frames = now.report.frame > 0 ? double(now.report.frame) : 1.0;
+    status.add(stage.name + " [ms per frame]", 1e3 * stage.time_s / frames);
+  }
+}
+
+void Diagnostics::topics(Status& status) {
+  status.summary(Level::OK, "nothing is built while nobody subscribes");
+  for (const TopicLoad& load : topics_.loads()) {
+    status.add(load.name + " subscribers", load.subscribers);
+    status.add(load.name + " messages", load.messages);
+    status.add(load.name + " bytes", load.bytes);
+  }
+}
+
+void Diagnostics::followers(Status& status) {
+  const std::vector<std::string> lost = frames_.lost();
+  status.summary(Level::OK, "known");
+  if (!lost.empty()) status.summary(Level::WARN, joined(lost));
+}
+
+void Diagnostics::clock(Status& status) {
+  const std::string other = clock_.conflict();
+  status.summary(Level::OK, "this node publishes /clock");
+  if (!other.empty()) {
+    status.summary(Level::ERROR, other + " publishes /clock already; this node stays silent");
+  }
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,40 @@
+// What an operator should know, on /diagnostics.
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+
+#include "clock_publisher.h"
+#include "frames.h"
+#include "parameters.h"
+#include "simulation_thread.h"
+#include "topics.h"
+
+namespace ice_ice_baby {
+
+class Diagnostics {
+ public:
+  /// @param name of the node @param node, node_private whose queue runs the timer
+  Diagnostics(ros::NodeHandle& node, ros::NodeHandle& node_private,
+              const NodeParameters& parameters, const SimulationThread& simulation,
+              const Frames& frames, const Topics& topics, const ClockPublisher& clock);
+
+ private:
+  using Status = diagnostic_updater::DiagnosticStatusWrapper;
+
+  void solver(Status& status);
+  void speed(Status& status);
+  void topics(Status& status);
+  void followers(Status& status);
+  void clock(Status& status);
+
+  const double wanted_factor_;
+  const SimulationThread& simulation_;
+  const Frames& frames_;
+  const Topics& topics_;
+  const ClockPublisher& clock_;
+  diagnostic_updater::Updater updater_;
+  std::uint64_t speed_limited_ = 0;
+  ros::WallTimer timer_;
+};
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,84 @@
+#include "override_tree.h"
+
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (c == '\n') {
+      out += "\\n";
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+std::string listText(const XmlRpcValue& list, const std::string& key) {
+  std::string out = "[";
+  for (int k = 0; k < list.size(); ++k) {
+    out += (k ? ", " : "") + yamlText(list[k], key + "." + std::to_string(k));
+  }
+  return out + "]";
+}
+
+std::string mapText(const XmlRpcValue& map, const std::string& key) {
+  std::string out = "{";
+  for (auto entry = map.begin(); entry != map.end(); ++entry) {
+    out += (entry == map.begin() ? "" : ", ") + quoted(entry->first) + ": " +
+           yamlText(entry->second, key + "." + entry->first);
+  }
+  return out + "}";
+}
+
+void collect(const XmlRpcValue& tree, const std::string& path, std::vector<Override>& out) {
+  for (auto entry = tree.begin(); entry != tree.end(); ++entry) {
+    const std::string key = path.empty() ? entry->first : path + "." + entry->first;
+    if (entry->second.getType() == XmlRpcValue::TypeStruct) {
+      collect(entry->second, key, out);
+    } else {
+      out.push_back({key, yamlText(entry->second, key)});
+    }
+  }
+}
+
+}  // namespace
+
+std::string yamlText(const XmlRpcValue& value, const std::string& key) {
+  switch (value.getType()) {
+    case XmlRpcValue::TypeBoolean:
+      return static_cast<const bool&>(value) ? "true" : "false";
+    case XmlRpcValue::TypeInt:
+      return std::to_string(static_cast<const int&>(value));
+    case XmlRpcValue::TypeDouble:
+      return numberText(static_cast<const double&>(value));
+    case XmlRpcValue::TypeString:
+      return quoted(static_cast<const std::string&>(value));
+    case XmlRpcValue::TypeArray:
+      return listText(value, key);
+    case XmlRpcValue::TypeStruct:
+      return mapText(value, key);
+    default:
+      throw InvalidInput("parameter " + key +
+                         " must be a number, a text, true, false, a list or a map of them");
+  }
+}
+
+std::vector<Override> readOverrides(const XmlRpcValue& tree) {
+  std::vector<Override> overrides;
+  if (tree.getType() != XmlRpcValue::TypeStruct) {
+    throw InvalidInput("parameter ~overrides = " + yamlText(tree, "~overrides") +
+                       " must be a map of scene keys, as {fluid: {spacing_m: 0.04}}");
+  }
+  collect(tree, "", overrides);
+  return overrides;
+}
+
+}  // namespace ice_ice_baby

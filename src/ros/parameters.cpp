@@ -1,0 +1,203 @@
+#include "parameters.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "ice_ice_baby/errors.h"
+#include "override_tree.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+/// Visitor of describe(): reads members of a struct of the parameter server.
+class Reader {
+ public:
+  explicit Reader(const XmlRpcValue& tree) : tree_(tree) {}
+
+  void operator()(const char* name, double& value, Range range, const char*) {
+    if (find(name)) value = number(name, tree_[name], range);
+  }
+
+  void operator()(const char* name, int& value, Range range, const char*) {
+    if (!find(name)) return;
+    const double read = number(name, tree_[name], range);
+    if (read != static_cast<double>(static_cast<int>(read))) {
+      refuse(name, "must be a whole number");
+    }
+    value = static_cast<int>(read);
+  }
+
+  void operator()(const char* name, Vec3d& value, Range range, const char*) {
+    if (!find(name)) return;
+    if (tree_[name].getType() != XmlRpcValue::TypeArray || tree_[name].size() != 3) {
+      refuse(name, "must be three numbers, as [0, 0, 1]");
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      value[axis] = number(name, tree_[name][axis], range);
+    }
+  }
+
+  void operator()(const char* name, bool& value, const char*) {
+    if (!find(name)) return;
+    if (tree_[name].getType() != XmlRpcValue::TypeBoolean) refuse(name, "must be true or false");
+    value = static_cast<const bool&>(tree_[name]);
+  }
+
+  void operator()(const char* name, std::string& value, const char*) {
+    if (!find(name)) return;
+    if (tree_[name].getType() != XmlRpcValue::TypeString) refuse(name, "must be a text");
+    value = static_cast<const std::string&>(tree_[name]);
+  }
+
+  template <class Choice>
+  std::enable_if_t<std::is_enum_v<Choice>> operator()(const char* name, Choice& value,
+                                                      const char* meaning) {
+    const std::vector<std::string> names = choices(value);
+    std::string text = names[static_cast<std::size_t>(value)];
+    (*this)(name, text, meaning);
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found == names.end()) refuse(name, "must be one of: " + joined(names));
+    value = static_cast<Choice>(found - names.begin());
+  }
+
+  bool find(const char* name) {
+    known_.emplace_back(name);
+    return tree_.getType() == XmlRpcValue::TypeStruct && tree_.hasMember(name);
+  }
+
+  void refuseUnknown() const {
+    if (tree_.getType() != XmlRpcValue::TypeStruct) return;
+    for (auto entry = tree_.begin(); entry != tree_.end(); ++entry) {
+      const std::string& name = entry->first;
+      if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
+      const std::string meant = nearest(name, known_);
+      throw InvalidInput("unknown parameter ~" + name +
+                         (meant.empty() ? "" : "; did you mean ~" + meant + "?") +
+                         " Parameters: " + joined(known_));
+    }
+  }
+
+  [[noreturn]] void refuse(const std::string& name, const std::string& allowed) const {
+    throw InvalidInput("parameter ~" + name + " = " + yamlText(tree_[name], "~" + name) + " " +
+                       allowed);
+  }
+
+ private:
+  double number(const std::string& name, const XmlRpcValue& value, Range range) const {
+    const bool whole = value.getType() == XmlRpcValue::TypeInt;
+    if (!whole && value.getType() != XmlRpcValue::TypeDouble) refuse(name, "must be a number");
+    const double read =
+        whole ? double(static_cast<const int&>(value)) : static_cast<const double&>(value);
+    requireInRange("parameter ~" + name, read, range.min, range.max);
+    return read;
+  }
+
+  const XmlRpcValue tree_;
+  std::vector<std::string> known_;
+};
+
+/// Visitor of describe(): writes one row of the table per parameter.
+class TableWriter {
+ public:
+  void operator()(const char* name, double& value, Range range, const char* meaning) {
+    row(name, numberText(value), rangeText(range), meaning);
+  }
+  void operator()(const char* name, int& value, Range range, const char* meaning) {
+    row(name, numberText(value), rangeText(range), meaning);
+  }
+  void operator()(const char* name, Vec3d& value, Range range, const char* meaning) {
+    row(name,
+        "[" + numberText(value.x()) + ", " + numberText(value.y()) + ", " + numberText(value.z()) +
+            "]",
+        rangeText(range), meaning);
+  }
+  void operator()(const char* name, bool& value, const char* meaning) {
+    row(name, value ? "true" : "false", "true, false", meaning);
+  }
+  void operator()(const char* name, std::string& value, const char* meaning) {
+    row(name, value.empty() ? "\"\"" : value, "text", meaning);
+  }
+  template <class Choice>
+  std::enable_if_t<std::is_enum_v<Choice>> operator()(const char* name, Choice& value,
+                                                      const char* meaning) {
+    const std::vector<std::string> names = choices(value);
+    row(name, names[static_cast<std::size_t>(value)], joined(names), meaning);
+  }
+
+  std::string text() const { return out_.str(); }
+
+  void row(const std::string& name, const std::string& fallback, const std::string& range,
+           const std::string& meaning) {
+    out_ << "| `" << name << "` | " << fallback << " | " << range << " | " << unit(name) << " | "
+         << meaning << " |\n";
+  }
+
+ private:
+  static std::string rangeText(Range range) {
+    return numberText(range.min) + " to " + numberText(range.max);
+  }
+
+  /// Unit by the ending of the name, which carries it.
+  static std::string unit(const std::string& name) {
+    const auto ends = [&](const std::string& end) {
+      return name.size() > end.size() &&
+             name.compare(name.size() - end.size(), end.size(), end) == 0;
+    };
+    if (ends("_hz")) return "Hz";
+    if (ends("_deg")) return "degrees";
+    if (ends("_m")) return "m";
+    if (ends("_period")) return "s";
+    return "";
+  }
+
+  std::ostringstream out_;
+};
+
+void requireFrame(const std::string& name, const std::string& frame) {
+  if (!frame.empty() && frame.front() != '/') return;
+  throw InvalidInput("parameter ~" + name + " = \"" + frame +
+                     "\" must be the name of a tf frame, without a leading /, as world");
+}
+
+}  // namespace
+
+NodeParameters readParameters(const XmlRpcValue& tree) {
+  NodeParameters parameters;
+  Reader reader(tree);
+  describe(parameters, reader);
+  if (reader.find("overrides")) parameters.overrides = readOverrides(tree["overrides"]);
+  reader.refuseUnknown();
+  const std::vector<std::string> presets = choices(Preset{});
+  if (!parameters.preset.empty() &&
+      std::find(presets.begin(), presets.end(), parameters.preset) == presets.end()) {
+    reader.refuse("preset", "must be \"\" or one of: " + joined(presets));
+  }
+  requireFrame("frame_id", parameters.frame_id);
+  requireFrame("scene_frame", parameters.scene_frame);
+  if (parameters.frame_id == parameters.scene_frame) {
+    throw InvalidInput("parameters ~frame_id and ~scene_frame are both " + parameters.frame_id +
+                       "; give the scene a frame of its own, as ice_ice_baby/scene");
+  }
+  return parameters;
+}
+
+std::vector<Override> overridesFor(const NodeParameters& parameters, const std::string& preset) {
+  std::vector<Override> all = parameters.overrides;
+  if (!preset.empty()) all.push_back({"preset", "\"" + preset + "\""});
+  return all;
+}
+
+std::string parameterTable() {
+  NodeParameters defaults;
+  TableWriter writer;
+  describe(defaults, writer);
+  writer.row("overrides", "{}", "any key of a scene file",
+             "tree of keys that hold over every scene, as overrides/solver/iterations");
+  return "| parameter | default | range | unit | meaning |\n| --- | --- | --- | --- | --- |\n" +
+         writer.text();
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,83 @@
+// The node's private parameters: each once, with default, range and meaning.
+#pragma once
+
+#include <XmlRpcValue.h>
+
+#include <string>
+#include <vector>
+
+#include "ice_ice_baby/params.h"
+#include "ice_ice_baby/scene_loader.h"
+#include "ice_ice_baby/simulation.h"
+
+namespace ice_ice_baby {
+
+inline std::vector<std::string> choices(Precision) { return {"float", "double"}; }
+
+struct NodeParameters {
+  std::string scene = "container_splash";
+  std::string preset;
+  Precision precision = Precision::kFloat;
+  int threads = 0;
+  double real_time_factor = 1.0;
+  bool start_paused = false;
+  std::string frame_id = "world";
+  std::string scene_frame = "ice_ice_baby/scene";
+  Vec3d scene_position_m = Vec3d::Zero();
+  Vec3d scene_rpy_deg = Vec3d::Zero();
+  double particles_rate_hz = 30.0;
+  int particles_stride = 1;
+  bool particles_rgba = true;
+  double springs_rate_hz = 2.0;
+  int springs_max = 100000;
+  double state_rate_hz = 10.0;
+  double diagnostic_period = 1.0;
+  bool publish_clock = false;
+  std::vector<Override> overrides;  ///< tree `~overrides`: keys of a scene file, over every scene
+};
+
+/// Lists every parameter but the tree of overrides, in the order of the README; see params.h.
+template <class Visitor>
+void describe(NodeParameters& p, Visitor&& visit) {
+  visit("scene", p.scene, "name of a scene, or path of a .yaml file");
+  visit("preset", p.preset, "default or paper; \"\": as the scene has it");
+  visit("precision", p.precision, "float or double");
+  visit("threads", p.threads, Range{0, 1024}, "threads of the solver; 0: all of the machine's");
+  visit("real_time_factor", p.real_time_factor, Range{0.0, 1000.0},
+        "simulated over wall time to hold; 0: as fast as the machine can");
+  visit("start_paused", p.start_paused, "whether to wait for resume or step");
+  visit("frame_id", p.frame_id, "tf frame in which the scene stands");
+  visit("scene_frame", p.scene_frame,
+        "tf frame of the scene, in which everything is published; colliders are children of it");
+  visit("scene_position_m", p.scene_position_m, Range{-1e6, 1e6}, "of scene_frame in frame_id");
+  visit("scene_rpy_deg", p.scene_rpy_deg, Range{-360.0, 360.0},
+        "roll, pitch, yaw of scene_frame in frame_id");
+  visit("particles_rate_hz", p.particles_rate_hz, Range{0.0, 1000.0},
+        "point clouds per second of wall time, at most one a frame; 0: none");
+  visit("particles_stride", p.particles_stride, Range{1, 1000000},
+        "publish every n-th particle, by id");
+  visit("particles_rgba", p.particles_rgba,
+        "whether a point carries a colour whose alpha grows as it freezes");
+  visit("springs_rate_hz", p.springs_rate_hz, Range{0.0, 100.0},
+        "spring markers per second of wall time; 0: none");
+  visit("springs_max", p.springs_max, Range{0, 5000000},
+        "springs drawn at most, the rest evenly left out");
+  visit("state_rate_hz", p.state_rate_hz, Range{0.0, 1000.0},
+        "state messages per second of wall time, at most one a frame; 0: none");
+  visit("diagnostic_period", p.diagnostic_period, Range{0.1, 3600.0},
+        "seconds between two messages on /diagnostics");
+  visit("publish_clock", p.publish_clock,
+        "whether simulated time is published on /clock; refused while another node does");
+}
+
+/// Reads the tree of private parameters.
+/// @throws InvalidInput naming an unknown parameter, or the value and what is allowed
+NodeParameters readParameters(const XmlRpc::XmlRpcValue& tree);
+
+/// What `scene` of the node and of a reset is loaded with: the overrides, and the preset unless "".
+std::vector<Override> overridesFor(const NodeParameters& parameters, const std::string& preset);
+
+/// Markdown table of every parameter: name, default, range, meaning.
+std::string parameterTable();
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,129 @@
+#include "services.h"
+
+#include <algorithm>
+
+#include "geometry.h"
+#include "ice_ice_baby/errors.h"
+#include "state_message.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Runs `work` and answers with what it returns, or with why it was refused.
+template <class Response, class Work>
+bool answer(Response& response, const Work& work) {
+  try {
+    response.message = work();
+    response.success = true;
+  } catch (const std::exception& e) {
+    response.message = e.what();
+    response.success = false;
+  }
+  return true;
+}
+
+/// @throws InvalidInput for what looks like a path: files are the operator's, not the network's
+void requireSceneName(const std::string& name) {
+  const bool path = name.find('/') != std::string::npos ||
+                    name.find(".yaml") != std::string::npos ||
+                    name.find(".yml") != std::string::npos;
+  if (!path) return;
+  throw InvalidInput("scene \"" + name +
+                     "\" is a path; reset takes names only: " + joined(sceneNames()));
+}
+
+}  // namespace
+
+Services::Services(ros::NodeHandle& node, const NodeParameters& parameters,
+                   SimulationThread& simulation, Frames& frames, const Topics& topics,
+                   const ClockPublisher& clock)
+    : parameters_(parameters),
+      simulation_(simulation),
+      frames_(frames),
+      topics_(topics),
+      clock_(clock),
+      scene_(parameters.scene) {
+  servers_ = {node.advertiseService("get_state", &Services::getState, this),
+              node.advertiseService("set_temperature", &Services::setTemperature, this),
+              node.advertiseService("set_gravity", &Services::setGravity, this),
+              node.advertiseService("reset", &Services::reset, this),
+              node.advertiseService("pause", &Services::pause, this),
+              node.advertiseService("resume", &Services::resume, this),
+              node.advertiseService("step", &Services::step, this)};
+}
+
+std::vector<std::string> Services::names() const {
+  std::vector<std::string> names;
+  for (const ros::ServiceServer& server : servers_) names.push_back(server.getService());
+  return names;
+}
+
+bool Services::setTemperature(SetTemperature::Request& request,
+                              SetTemperature::Response& response) {
+  response.temperature = simulation_.snapshot().report.temperature_c;
+  return answer(response, [&] {
+    simulation_.setTemperature(request.temperature, request.ramp_s);
+    if (request.ramp_s == 0.0) response.temperature = request.temperature;
+    return "going to " + numberText(request.temperature) + " degrees C over " +
+           numberText(request.ramp_s) + " s";
+  });
+}
+
+bool Services::setGravity(SetGravity::Request& request, SetGravity::Response& response) {
+  response.gravity = vectorMessage(simulation_.snapshot().gravity_m_s2);
+  return answer(response, [&] {
+    simulation_.setGravity(vectorOf(request.gravity));
+    response.gravity = request.gravity;
+    return std::string("gravity set");
+  });
+}
+
+bool Services::reset(Reset::Request& request, Reset::Response& response) {
+  const std::lock_guard<std::mutex> lock(reset_mutex_);
+  response.particles = static_cast<std::uint32_t>(simulation_.snapshot().report.particles);
+  return answer(response, [&] {
+    requireSceneName(request.scene);
+    const std::string name = request.scene.empty() ? scene_ : request.scene;
+    const std::string preset = request.preset.empty() ? parameters_.preset : request.preset;
+    const Scene scene = loadScene(name, overridesFor(parameters_, preset));
+    frames_.prepare(scene);
+    simulation_.reset(scene);
+    scene_ = name;
+    response.particles = static_cast<std::uint32_t>(particleCount(scene));
+    return "scene " + scene.name + " from the start";
+  });
+}
+
+bool Services::step(Step::Request& request, Step::Response& response) {
+  const std::uint32_t frames = std::max<std::uint32_t>(request.frames, 1);
+  return answer(response, [&] {
+    simulation_.step(frames);
+    return "running " + std::to_string(frames) + (frames == 1 ? " frame" : " frames");
+  });
+}
+
+bool Services::pause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer(response, [&] {
+    simulation_.pause();
+    return std::string("paused");
+  });
+}
+
+bool Services::resume(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer(response, [&] {
+    simulation_.resume();
+    return std::string("running");
+  });
+}
+
+bool Services::getState(GetState::Request&, GetState::Response& response) {
+  return answer(response, [&] {
+    response.state = stateMessage(simulation_.snapshot(), topics_.header(clock_.stamp()));
+    response.state.topics = topics_.loads();
+    response.scenes = sceneNames();
+    return std::string();
+  });
+}
+
+}  // namespace ice_ice_baby

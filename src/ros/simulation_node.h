@@ -1,0 +1,47 @@
+// The node: everything between the simulation and ROS, for a process of its own or a nodelet.
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+
+#include "clock_publisher.h"
+#include "diagnostics.h"
+#include "frames.h"
+#include "master_watch.h"
+#include "parameters.h"
+#include "services.h"
+#include "simulation_thread.h"
+#include "topics.h"
+
+namespace ice_ice_baby {
+
+class SimulationNode {
+ public:
+  /// Reads the private parameters, builds the scene and serves it.
+  /// @throws InvalidInput naming the parameter or the key, the value and what is allowed
+  SimulationNode(ros::NodeHandle node, ros::NodeHandle node_private);
+
+  /// Ends the simulation after the frame under way. @returns whether it ended within `patience_s`
+  bool stop(double patience_s) { return simulation_.stop(patience_s); }
+
+ private:
+  RunOptions runOptions() const;
+  RunHooks hooks();
+
+  ros::CallbackQueue queue_;
+  ros::NodeHandle node_;
+  ros::NodeHandle private_;
+  const NodeParameters parameters_;
+  const Scene scene_;
+  ClockPublisher clock_;
+  Frames frames_;
+  Topics topics_;
+  SimulationThread simulation_;
+  Services services_;
+  Diagnostics diagnostics_;
+  ros::AsyncSpinner spinner_;
+  MasterWatch watch_;
+};
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,206 @@
+#include "simulation_thread.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+constexpr std::size_t kMaxCommands = 1000;
+constexpr double kMaxSteps = 100000;
+constexpr double kLongestWait_s = 0.05;
+
+double frameTime_s(const Simulation& simulation) {
+  return 1.0 / simulation.scene().solver.frame_rate_hz;
+}
+
+}  // namespace
+
+SimulationThread::SimulationThread(const Scene& scene, const RunOptions& options, RunHooks hooks)
+    : options_(options),
+      hooks_(std::move(hooks)),
+      pause_wanted_(options.start_paused),
+      pacer_(0.0, options.ros_time) {
+  latest_.paused = options.start_paused;
+  build(scene);
+  thread_ = std::thread([this] { run(); });
+}
+
+SimulationThread::~SimulationThread() {
+  stop(0.0);
+  thread_.join();
+}
+
+void SimulationThread::setTemperature(double celsius, double ramp_s) {
+  requireTemperature(celsius, ramp_s);
+  post([=] { simulation_->setTemperature(celsius, ramp_s); });
+}
+
+void SimulationThread::setGravity(const Vec3d& gravity_m_s2) {
+  requireGravity(gravity_m_s2);
+  post([=] { simulation_->setGravity(gravity_m_s2); });
+}
+
+void SimulationThread::reset(const Scene& scene) {
+  post([=] {
+    steps_left_ = 0;
+    build(scene);
+    hooks_.started(*simulation_);
+  });
+}
+
+void SimulationThread::pause() {
+  post([this] {
+    latest_.paused = true;
+    steps_left_ = 0;
+    real_time_factor_.clear();
+  });
+  const std::lock_guard<std::mutex> lock(mutex_);
+  pause_wanted_ = true;
+}
+
+void SimulationThread::resume() {
+  post([this] {
+    latest_.paused = false;
+    latest_.failure.clear();
+    steps_left_ = 0;
+    pacer_.restart();
+  });
+  const std::lock_guard<std::mutex> lock(mutex_);
+  pause_wanted_ = false;
+}
+
+void SimulationThread::step(std::uint32_t frames) {
+  requireInRange("frames to step", frames, 1, kMaxSteps);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!pause_wanted_) throw InvalidInput("step works only while paused; call pause first");
+  }
+  post([=] {
+    const double total = double(steps_left_) + frames;
+    steps_left_ = static_cast<std::uint32_t>(std::min(total, kMaxSteps));
+  });
+}
+
+Snapshot SimulationThread::snapshot() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return snapshot_;
+}
+
+bool SimulationThread::stop(double patience_s) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  stopping_ = true;
+  changed_.notify_all();
+  return changed_.wait_for(lock, std::chrono::duration<double>(patience_s),
+                           [this] { return ended_; });
+}
+
+void SimulationThread::post(Command command) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (commands_.size() >= kMaxCommands) {
+    throw InvalidInput(std::to_string(kMaxCommands) +
+                       " commands wait for the frame under way to end; try again later");
+  }
+  commands_.push_back(std::move(command));
+  changed_.notify_all();
+}
+
+/// Replaces the simulation; whatever throws leaves the old one in place.
+void SimulationThread::build(const Scene& scene) {
+  simulation_ = makeSimulation(scene, options_.precision, options_.threads);
+  latest_.failure.clear();
+  const bool paced = options_.real_time_factor > 0.0;
+  pacer_.setInterval(paced ? frameTime_s(*simulation_) / options_.real_time_factor : 0.0);
+  pacer_.restart();
+  updateSnapshot();
+}
+
+void SimulationThread::run() {
+  hooks_.started(*simulation_);
+  while (true) {
+    applyCommands();
+    const bool ran = runFrameIfDue();
+    const bool settled = latest_.paused && steps_left_ == 0;
+    hooks_.tick(*simulation_, latest_, settled && ran);
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_for(lock, std::chrono::duration<double>(waitTime_s()),
+                      [this] { return stopping_ || !commands_.empty(); });
+    if (!stopping_) continue;
+    ended_ = true;
+    changed_.notify_all();
+    return;
+  }
+}
+
+void SimulationThread::applyCommands() {
+  std::vector<Command> commands;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    commands.swap(commands_);
+  }
+  for (const Command& command : commands) {
+    try {
+      command();
+    } catch (const std::exception& e) {
+      ROS_ERROR("A command failed and changed nothing: %s", e.what());
+    }
+  }
+  if (!commands.empty()) updateSnapshot();
+}
+
+bool SimulationThread::runFrameIfDue() {
+  if (steps_left_ > 0) {
+    --steps_left_;
+    runFrame();
+    return true;
+  }
+  if (latest_.paused || pacer_.remaining() > 0.0) return false;
+  pacer_.frameBegins();
+  runFrame();
+  real_time_factor_.add(WallClock::now(), latest_.simulated_s);
+  return true;
+}
+
+/// A frame that throws, as when memory runs out, pauses the simulation instead of ending the node.
+void SimulationThread::runFrame() {
+  try {
+    hooks_.before_frame(*simulation_);
+    const StepReport& report = simulation_->advanceFrame();
+    latest_.simulated_s += frameTime_s(*simulation_);
+    latest_.speed_limited += report.speed_limited;
+  } catch (const std::exception& e) {
+    latest_.failure = e.what();
+    latest_.paused = true;
+    steps_left_ = 0;
+    ROS_ERROR("The simulation paused because a frame failed: %s", e.what());
+  }
+  updateSnapshot();
+}
+
+void SimulationThread::updateSnapshot() {
+  const Scene& scene = simulation_->scene();
+  latest_.report = simulation_->report();
+  latest_.stages = simulation_->stages();
+  latest_.scene = scene.name;
+  latest_.preset = scene.preset;
+  latest_.precision = options_.precision;
+  latest_.gravity_m_s2 = scene.gravity_m_s2;
+  latest_.real_time_factor = latest_.paused ? 0.0 : real_time_factor_.value();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  snapshot_ = latest_;
+  if (!latest_.failure.empty()) pause_wanted_ = true;
+}
+
+double SimulationThread::waitTime_s() {
+  if (steps_left_ > 0) return 0.0;
+  if (latest_.paused) return kLongestWait_s;
+  const double remaining_s = pacer_.remaining();
+  if (!options_.ros_time) return std::min(remaining_s, kLongestWait_s);
+  return std::min(remaining_s, 0.005);  // ROS time may run at any rate, so look often
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,109 @@
+// The one thread that owns the simulation: paces it, and applies commands between frames.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "ice_ice_baby/simulation.h"
+#include "pacing.h"
+
+namespace ice_ice_baby {
+
+/// What others may know of the simulation while it runs: a copy, taken after each frame.
+struct Snapshot {
+  StepReport report;
+  std::vector<StageStats> stages;
+  std::string scene;
+  Preset preset = Preset::kDefault;
+  Precision precision = Precision::kFloat;
+  Vec3d gravity_m_s2 = Vec3d::Zero();
+  bool paused = false;
+  double real_time_factor = 0.0;
+  double simulated_s = 0.0;         ///< since the node started, over every reset
+  std::uint64_t speed_limited = 0;  ///< the same, particles that the speed limit slowed
+  std::string failure;              ///< why frames stopped, "" while all is well
+};
+
+/// How the thread runs.
+struct RunOptions {
+  Precision precision = Precision::kFloat;
+  int threads = 0;                ///< of the solver, 0: all of the machine's
+  double real_time_factor = 1.0;  ///< 0: as fast as the machine can
+  bool ros_time = false;          ///< frames follow ros::Time
+  bool start_paused = false;
+};
+
+/// What the thread calls, always from itself.
+struct RunHooks {
+  /// A simulation stands at its start: at first and after each reset.
+  std::function<void(const Simulation&)> started = [](const Simulation&) {};
+  std::function<void(Simulation&)> before_frame = [](Simulation&) {};
+  /// After each frame, and at least every 50 ms. @param settled no frame follows by itself
+  std::function<void(const Simulation&, const Snapshot&, bool settled)> tick =
+      [](const Simulation&, const Snapshot&, bool) {};
+};
+
+/// Every command is checked by the caller's thread, then queued and applied between two frames, in
+/// order; none waits for the solver. A reset that fails leaves the old simulation running.
+class SimulationThread {
+ public:
+  /// Builds the simulation at once and starts the thread.
+  /// @throws InvalidInput for a scene or a number of threads that cannot run
+  SimulationThread(const Scene& scene, const RunOptions& options, RunHooks hooks);
+  /// Waits for the frame that is under way.
+  ~SimulationThread();
+
+  /// Each throws InvalidInput for a bad value, or when 1000 commands wait already.
+  void setTemperature(double celsius, double ramp_s);
+  void setGravity(const Vec3d& gravity_m_s2);
+  /// @param scene as loadScene gave it, so already valid
+  void reset(const Scene& scene);
+  void pause();
+  void resume();
+  /// Runs frames while paused, as fast as the machine can. @throws InvalidInput unless paused, and
+  /// outside [1, 100000]
+  void step(std::uint32_t frames);
+
+  Snapshot snapshot() const;
+
+  /// Asks the thread to end. @returns whether it did within `patience_s`
+  bool stop(double patience_s);
+
+ private:
+  using Command = std::function<void()>;
+
+  void post(Command command);
+  void run();
+  void build(const Scene& scene);
+  void applyCommands();
+  bool runFrameIfDue();
+  void runFrame();
+  void updateSnapshot();
+  double waitTime_s();
+
+  const RunOptions options_;
+  const RunHooks hooks_;
+
+  mutable std::mutex mutex_;  ///< guards what follows up to snapshot_
+  std::condition_variable changed_;
+  std::vector<Command> commands_;
+  bool pause_wanted_;
+  bool stopping_ = false;
+  bool ended_ = false;
+  Snapshot snapshot_;
+
+  std::unique_ptr<Simulation> simulation_;  ///< from here on: the thread's own
+  Snapshot latest_;
+  Pacer pacer_;
+  RealTimeFactor real_time_factor_;
+  std::uint32_t steps_left_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace ice_ice_baby
