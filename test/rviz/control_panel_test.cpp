@@ -1,0 +1,116 @@
+// The panel's own buttons, pressed on a screen that is not there, against a real node.
+#include "control_panel.h"
+
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <rviz/config.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSlider>
+
+#include "patience.h"
+
+namespace ice_ice_baby {
+namespace {
+
+class ControlPanelTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    panel_.show();
+    ASSERT_TRUE(awaitGui([this] { return scene()->count() > 1 && text("particles_value") != "—"; }))
+        << text("answer").toStdString();
+  }
+
+  template <typename Condition>
+  static bool awaitGui(Condition condition) {
+    return await([&] {
+      QApplication::processEvents();
+      return condition();
+    });
+  }
+
+  template <typename Widget>
+  Widget* child(const char* name) {
+    auto* widget = panel_.findChild<Widget*>(name);
+    EXPECT_NE(widget, nullptr) << name;
+    return widget;
+  }
+
+  QString text(const char* label) { return child<QLabel>(label)->text(); }
+  QComboBox* scene() { return child<QComboBox>("scene"); }
+
+  /// What a person's choice in a combo box does.
+  static void choose(QComboBox* box, const QString& item) {
+    box->setCurrentText(item);
+    Q_EMIT box->activated(box->currentIndex());
+  }
+
+  ControlPanel panel_;
+};
+
+TEST_F(ControlPanelTest, showsTheNodesScenesAndNumbers) {
+  EXPECT_GE(scene()->findText("container_splash"), 0);
+  EXPECT_TRUE(awaitGui([this] { return text("temperature_in_force").contains("°C"); }));
+  EXPECT_TRUE(text("density_error_value").contains("%"));
+}
+
+TEST_F(ControlPanelTest, sliderSetsTheTemperature) {
+  child<QDoubleSpinBox>("ramp")->setValue(0.0);
+  child<QSlider>("temperature_slider")->setValue(-12);
+  EXPECT_TRUE(awaitGui([this] { return text("temperature_in_force").contains("-12.0 °C"); }));
+  EXPECT_TRUE(text("answer").startsWith("set_temperature")) << text("answer").toStdString();
+}
+
+TEST_F(ControlPanelTest, pausesStepsAndResumes) {
+  auto* pause = child<QPushButton>("pause_button");
+  pause->click();
+  ASSERT_TRUE(awaitGui([&] { return pause->text() == "Resume"; }));
+  const QString before = text("time_value");
+  child<QPushButton>("step_button")->click();
+  EXPECT_TRUE(awaitGui([&] { return text("time_value") != before; }));
+  pause->click();
+  EXPECT_TRUE(awaitGui([&] { return pause->text() == "Pause"; }));
+}
+
+TEST_F(ControlPanelTest, startsTheChosenSceneAndPreset) {
+  choose(scene(), "dam_break");
+  EXPECT_TRUE(awaitGui([this] { return text("scene_value").startsWith("dam_break"); }));
+  choose(child<QComboBox>("preset"), "paper");
+  EXPECT_TRUE(awaitGui([this] { return text("scene_value").contains("(paper)"); }));
+  child<QPushButton>("reset_button")->click();
+  EXPECT_TRUE(awaitGui([this] { return text("answer").startsWith("reset"); }));
+}
+
+TEST_F(ControlPanelTest, saysThatThereIsNoNode) {
+  auto* node = child<QLineEdit>("node");
+  node->setText("/nobody");
+  Q_EMIT node->editingFinished();
+  EXPECT_TRUE(awaitGui([this] { return text("answer") == "no node at /nobody"; }));
+  EXPECT_EQ(text("particles_value"), "—");
+}
+
+TEST_F(ControlPanelTest, keepsNodeAndRampInTheConfig) {
+  child<QDoubleSpinBox>("ramp")->setValue(7.5);
+  rviz::Config config;
+  panel_.save(config);
+  ControlPanel loaded;
+  loaded.load(config);
+  EXPECT_EQ(loaded.findChild<QLineEdit*>("node")->text(), "/ice_ice_baby");
+  EXPECT_DOUBLE_EQ(loaded.findChild<QDoubleSpinBox*>("ramp")->value(), 7.5);
+}
+
+}  // namespace
+}  // namespace ice_ice_baby
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "control_panel_test");
+  const QApplication application(argc, argv);
+  const ros::NodeHandle keeps_ros_running;
+  return RUN_ALL_TESTS();
+}
