@@ -113,7 +113,6 @@ void describe(TemperatureParams& p, Visitor&& visit) {
 struct SpringParams {
   double reach_h = 0.75;
   double slack_1_s = 50.0;
-  bool contraction_only = false;
   bool keep_frozen = true;
   double damping = 0.5;
   bool stick_to_colliders = true;
@@ -127,8 +126,6 @@ void describe(SpringParams& p, Visitor&& visit) {
   visit("slack_1_s", p.slack_1_s, Range{0.0, 1e4},
         "relative change of length per second that a spring allows at onset_c; falls to 0 at "
         "freezing_c");
-  visit("contraction_only", p.contraction_only,
-        "whether springs resist only contraction (paper: true) or also extension");
   visit("keep_frozen", p.keep_frozen,
         "whether frozen springs keep the rest length they froze with (false, paper: every substep "
         "makes them anew)");

@@ -89,7 +89,6 @@ class Simulator final : public Simulation {
 
   StepReport report_;
   double strictness_ = 0.0;
-  bool springs_kept_ = false;  ///< frozen springs hold the rest lengths they froze with
   double still_s_ = 0.0;       ///< for how long frozen water has been slower than the sleep speed
   bool colliders_moving_ = false;
 };

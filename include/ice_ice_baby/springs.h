@@ -15,9 +15,9 @@ struct SpringRange {
   double longest = 1.0;
 };
 
-/// Allowed range at a strictness from 0 (onset) to 1 (frozen) over a substep of `dt_s`: the slack
-/// shrinks in proportion to 1 - strictness. With `contraction_only` there is no longest length: the
-/// paper manipulates the minimum so that springs push ends apart and never pull them together.
+/// Range that freezing springs allow at a strictness from 0 (onset) to 1 (frozen) over a substep of
+/// `dt_s`: the slack shrinks in proportion to 1 - strictness. There is no longest length: the paper
+/// manipulates the minimum so that springs push ends apart and never pull them together.
 SpringRange allowedRange(const SpringParams& params, double strictness, double dt_s);
 
 template <class Real>
@@ -44,21 +44,23 @@ class Springs {
   /// x_i.
   void make(const Particles<Real>& particles, const Neighbours<Real>& neighbours, Real reach_m);
 
+  /// From now on the springs are rigid: they keep their rest lengths and allow no other.
+  void keep() { kept_ = true; }
+  bool kept() const { return kept_; }
+
   /// Removes what make() made.
   void melt();
 
   /// Corrects x* along each spring in turn, half to each end (Algorithm 1).
   void correct(VectorField<Real>& predicted, double strictness, double dt_s) const;
 
-  /// Takes a part of the relative velocity along each spring, equal and opposite at its ends.
+  /// Takes a part of the relative velocity along each rigid spring, equal and opposite at its ends.
   void damp(VectorField<Real>& velocity, const VectorField<Real>& position) const;
 
   /// Follows a sort of the particles: place k now holds what was at order[k].
   void renumber(const std::vector<Index>& order);
 
   bool empty() const { return springs_.empty(); }
-  /// Springs that freezing made.
-  std::size_t iceCount() const { return springs_.size() - sheet_count_; }
   std::size_t size() const { return springs_.size(); }
   std::size_t bytes() const;
   const std::vector<Spring<Real>>& all() const { return springs_; }
@@ -71,6 +73,7 @@ class Springs {
   SpringParams params_;
   std::vector<Spring<Real>> springs_;  ///< those of sheets first
   std::size_t sheet_count_ = 0;
+  bool kept_ = false;
   std::vector<Index> place_of_;  ///< scratch of renumber
 };
 

@@ -114,7 +114,6 @@ void applyPreset(Scene& scene, Preset preset, double spacing_m) {
   solver.max_correction_h = 0.0;
   SpringParams& springs = scene.springs;
   springs.reach_h = 1.0;
-  springs.contraction_only = true;
   springs.keep_frozen = false;
   springs.damping = 0.0;
   springs.stick_to_colliders = false;

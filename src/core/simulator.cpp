@@ -100,7 +100,7 @@ void Simulator<Real>::substep(double dt_s) {
 
   velocity_clock_.run([&] { updateVelocityAndPosition(dt); });
   if (viscosity_) viscosity_clock_.run([&] { viscosity_->apply(particles_, neighbours_, dt_s); });
-  if (springs_ && springs_kept_ && scene_.springs.damping > 0.0) {
+  if (springs_ && scene_.springs.damping > 0.0) {
     damp_springs_clock_.run([&] { springs_->damp(particles_.velocity, particles_.position); });
   }
 }
@@ -126,11 +126,11 @@ void Simulator<Real>::findNeighbours() {
 
 template <class Real>
 void Simulator<Real>::makeSprings() {
-  if (springs_kept_) return;
+  if (springs_ && springs_->kept()) return;
   if (!springs_) springs_.emplace(scene_.springs);
   const double reach = scene_.springs.reach_h * scene_.supportRadius_m();
   springs_->make(particles_, neighbours_, static_cast<Real>(reach));
-  springs_kept_ = frozen() && scene_.springs.keep_frozen;
+  if (frozen() && scene_.springs.keep_frozen) springs_->keep();
 }
 
 /// Amends delta p so that x* + delta p lies outside every collider.
@@ -192,8 +192,7 @@ void Simulator<Real>::updateTemperature(double time_s) {
   const double before = strictness_;
   strictness_ = temperature_.strictness();
   if (strictness_ != before) wake();
-  if (strictness_ < 1.0) springs_kept_ = false;
-  if (strictness_ > 0.0 || !springs_) return;
+  if (strictness_ >= 1.0 || !springs_) return;
   springs_->melt();
   if (springs_->empty()) springs_.reset();
 }
@@ -212,7 +211,7 @@ void Simulator<Real>::joinSheets() {
 template <class Real>
 void Simulator<Real>::updateSleep() {
   const bool slow = report_.max_speed_m_s < scene_.springs.sleep_speed_m_s;
-  still_s_ = springs_kept_ && slow ? still_s_ + 1.0 / scene_.solver.frame_rate_hz : 0.0;
+  still_s_ = springs_ && springs_->kept() && slow ? still_s_ + 1.0 / scene_.solver.frame_rate_hz : 0.0;
   if (report_.asleep || still_s_ < 0.5) return;
   report_.asleep = true;
   for (auto* axis : {&particles_.velocity.x, &particles_.velocity.y, &particles_.velocity.z}) {

@@ -7,9 +7,7 @@ namespace ice_ice_baby {
 
 SpringRange allowedRange(const SpringParams& params, double strictness, double dt_s) {
   const double slack = params.slack_1_s * (1.0 - strictness) * dt_s;
-  const double longest =
-      params.contraction_only ? std::numeric_limits<double>::infinity() : 1.0 + slack;
-  return {std::max(0.0, 1.0 - slack), longest};
+  return {std::max(0.0, 1.0 - slack), std::numeric_limits<double>::infinity()};
 }
 
 template <class Real>
@@ -53,32 +51,39 @@ void Springs<Real>::make(const Particles<Real>& particles, const Neighbours<Real
 
 template <class Real>
 void Springs<Real>::melt() {
+  kept_ = false;
   springs_.resize(sheet_count_);
 }
 
 template <class Real>
 void Springs<Real>::correct(VectorField<Real>& predicted, double strictness, double dt_s) const {
-  const SpringRange sheet_range;
-  const SpringRange ice_range = allowedRange(params_, strictness, dt_s);
-  for (std::size_t s = 0; s < springs_.size(); ++s) {
+  const SpringRange rigid;
+  const SpringRange ice_range = kept_ ? rigid : allowedRange(params_, strictness, dt_s);
+  const auto correctOne = [&](std::size_t s) {
     const Spring<Real>& spring = springs_[s];
     const Vec3<Real> xa = predicted.at(spring.a);
     const Vec3<Real> xb = predicted.at(spring.b);
     const Vec3<Real> along = xb - xa;
     const Real length = along.norm();
-    const Real c =
-        springCorrection(length, spring.rest_m, s < sheet_count_ ? sheet_range : ice_range);
-    if (c == 0 || length == 0) continue;
+    const SpringRange& range = s < sheet_count_ ? rigid : ice_range;
+    const Real c = springCorrection(length, spring.rest_m, range);
+    if (c == 0 || length == 0) return;
     const Vec3<Real> half = along * (c * Real(0.5) / length);
     predicted.set(spring.a, xa + half);
     predicted.set(spring.b, xb - half);
-  }
+  };
+  // One sweep carries errors along with it and shakes sheets apart; there and back it is symmetric.
+  const std::size_t count = springs_.size();
+  for (std::size_t s = 0; s < count; ++s) correctOne(s);
+  for (std::size_t s = count; s-- > 0;) correctOne(s);
 }
 
 template <class Real>
 void Springs<Real>::damp(VectorField<Real>& velocity, const VectorField<Real>& position) const {
   const Real part = static_cast<Real>(params_.damping) / 2;
-  for (const Spring<Real>& spring : springs_) {
+  const std::size_t rigid_count = kept_ ? springs_.size() : sheet_count_;
+  for (std::size_t s = 0; s < rigid_count; ++s) {
+    const Spring<Real>& spring = springs_[s];
     const Vec3<Real> along = position.at(spring.b) - position.at(spring.a);
     const Real length2 = along.squaredNorm();
     if (length2 == 0) continue;
