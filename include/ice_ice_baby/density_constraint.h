@@ -24,6 +24,14 @@ class DensityConstraint {
   virtual void computeDeltaP(const Particles<Real>& particles,
                              const Neighbours<Real>& neighbours) = 0;
 
+  /// Frozen water keeps the density of the latest computeLambda where that is above rest: rigid
+  /// springs hold it, and a constraint that pulled against them would shake the ice.
+  void keepDensity();
+  /// Melted water has rest density again.
+  void releaseDensity() { std::vector<Real>().swap(kept_density_); }
+  /// Follows a sort of the particles: place k now holds what was at order[k].
+  void renumber(const std::vector<Index>& order);
+
   const VectorField<Real>& deltaP() const { return delta_p_; }
   VectorField<Real>& deltaP() { return delta_p_; }
   /// (n) rho_i / rho_0 of the latest computeLambda.
@@ -34,10 +42,15 @@ class DensityConstraint {
 
  protected:
   void resize(std::size_t n);
+  /// rho_i / rho_0 at which C_i = 0.
+  Real restDensity(std::size_t i) const {
+    return kept_density_.empty() ? Real(1) : kept_density_[i];
+  }
 
-  std::vector<Real> density_;        ///< (n) rho_i / rho_0
-  std::vector<Real> lambda_;         ///< (n) m^2
-  VectorField<Real> delta_p_;        ///< (n) m
+  std::vector<Real> density_;       ///< (n) rho_i / rho_0
+  std::vector<Real> lambda_;        ///< (n) m^2
+  VectorField<Real> delta_p_;       ///< (n) m
+  std::vector<Real> kept_density_;  ///< (n) rho_i / rho_0 that does not correct; empty while liquid
   VectorField<Real> wall_gradient_;  ///< (n) 1/m; empty without walls
 };
 

@@ -8,6 +8,15 @@
 
 namespace ice_ice_baby {
 
+/// Puts values[order[k]] at place k. `order` is a permutation of 0 ... n-1.
+template <class T>
+void permute(std::vector<T>& values, const std::vector<Index>& order) {
+  thread_local std::vector<T> sorted;
+  sorted.resize(values.size());
+  for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = values[order[k]];
+  values.swap(sorted);
+}
+
 /// n vectors, one array per coordinate.
 template <class Real>
 struct VectorField {

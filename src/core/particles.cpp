@@ -4,14 +4,6 @@ namespace ice_ice_baby {
 
 namespace {
 
-template <class T>
-void permute(std::vector<T>& values, const std::vector<Index>& order) {
-  thread_local std::vector<T> sorted;
-  sorted.resize(values.size());
-  for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = values[order[k]];
-  values.swap(sorted);
-}
-
 template <class Real>
 void permute(VectorField<Real>& field, const std::vector<Index>& order) {
   permute(field.x, order);

@@ -121,6 +121,7 @@ void Simulator<Real>::findNeighbours() {
   const std::vector<Index>& order = neighbours_.sortOrder(particles_.predicted);
   particles_.reorder(order);
   if (springs_) springs_->renumber(order);
+  if (density_) density_->renumber(order);
   neighbours_.build(particles_.predicted);
 }
 
@@ -130,7 +131,10 @@ void Simulator<Real>::makeSprings() {
   if (!springs_) springs_.emplace(scene_.springs);
   const double reach = scene_.springs.reach_h * scene_.supportRadius_m();
   springs_->make(particles_, neighbours_, static_cast<Real>(reach));
-  if (frozen() && scene_.springs.keep_frozen) springs_->keep();
+  if (!frozen() || !scene_.springs.keep_frozen) return;
+  springs_->keep();
+  density_->computeLambda(particles_, neighbours_);
+  density_->keepDensity();
 }
 
 /// Amends delta p so that x* + delta p lies outside every collider.
@@ -194,6 +198,7 @@ void Simulator<Real>::updateTemperature(double time_s) {
   if (strictness_ != before) wake();
   if (strictness_ >= 1.0 || !springs_) return;
   springs_->melt();
+  density_->releaseDensity();
   if (springs_->empty()) springs_.reset();
 }
 
@@ -211,7 +216,8 @@ void Simulator<Real>::joinSheets() {
 template <class Real>
 void Simulator<Real>::updateSleep() {
   const bool slow = report_.max_speed_m_s < scene_.springs.sleep_speed_m_s;
-  still_s_ = springs_ && springs_->kept() && slow ? still_s_ + 1.0 / scene_.solver.frame_rate_hz : 0.0;
+  still_s_ =
+      springs_ && springs_->kept() && slow ? still_s_ + 1.0 / scene_.solver.frame_rate_hz : 0.0;
   if (report_.asleep || still_s_ < 0.5) return;
   report_.asleep = true;
   for (auto* axis : {&particles_.velocity.x, &particles_.velocity.y, &particles_.velocity.z}) {
