@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "ice_ice_baby/near_search.h"
 #include "ice_ice_baby/particles.h"
 
 namespace ice_ice_baby {
@@ -36,9 +37,18 @@ class Neighbours {
 
   /// Every j with |x_j* - x_i*| < h, and some that are up to skin further.
   List of(std::size_t i) const {
-    const Chunk& chunk = chunks_[i / kChunk];
-    return {chunk.list.data() + begin_[i], chunk.list.data() + end_[i]};
+    const Index* first = chunks_[i / kChunk].list.data() + begin_[i];
+    return {first, first + count_[i]};
   }
+
+  /// The same, filled up with i itself to a multiple of kPadding.
+  List padded(std::size_t i) const {
+    const List list = of(i);
+    return {list.first, list.first + (list.size() + kPadding - 1) / kPadding * kPadding};
+  }
+
+  /// Lanes of the widest vectors in use, so that loops over a padded list need no remainder.
+  static constexpr std::size_t kPadding = 16;
 
   std::size_t builds() const { return builds_; }
   std::size_t pairs() const;
@@ -47,7 +57,8 @@ class Neighbours {
  private:
   static constexpr std::size_t kChunk = 256;
 
-  /// Lists of kChunk particles in a row; kept between builds so that steady states do not allocate.
+  /// Padded lists of kChunk particles in a row; never shrinks, so that steady states do not
+  /// allocate.
   struct Chunk {
     std::vector<Index> list;
   };
@@ -56,28 +67,25 @@ class Neighbours {
     std::uint64_t key;
     Index first;
   };
-  /// Particles in a row of three cells along x.
-  struct Row {
-    Index first, last;
-  };
-
   std::uint64_t cellKey(const Vec3<Real>& point) const;
   void sortKeys(std::size_t count);
   void findCells();
-  Row row(std::uint64_t centre_key, int dy, int dz) const;
-  void buildChunk(std::size_t chunk, const VectorField<Real>& predicted);
+  IndexRange row(std::uint64_t centre_key, int dy, int dz) const;
+  void buildChunk(std::size_t chunk);
+  Index buildList(std::size_t i, const CellRows& rows, Index begin, std::vector<Index>& list);
 
   Real reach_;
   Real skin_;
   Vec3<Real> origin_ = Vec3<Real>::Zero();
-  VectorField<Real> built_at_;       ///< (n) positions at the last build
+  NearSearch<Real> search_ = nearSearch<Real>();
+  VectorField<Real> built_at_;       ///< (n + kPadding) positions at the last build
   std::vector<std::uint64_t> keys_;  ///< (n) cell of the particle at place k
   std::vector<Index> order_;         ///< (n)
   std::vector<std::uint64_t> key_scratch_;
   std::vector<Index> order_scratch_;
   std::vector<Cell> cells_;  ///< occupied cells by key, and one end mark
   std::vector<Chunk> chunks_;
-  std::vector<Index> begin_, end_;  ///< (n) range in the chunk's list
+  std::vector<Index> begin_, count_;  ///< (n) range in the chunk's list
   std::size_t builds_ = 0;
 };
 

@@ -39,6 +39,13 @@ struct VectorField {
 };
 
 template <class Real>
+void permute(VectorField<Real>& field, const std::vector<Index>& order) {
+  permute(field.x, order);
+  permute(field.y, order);
+  permute(field.z, order);
+}
+
+template <class Real>
 struct Particles {
   VectorField<Real> position;     ///< (n) x_i, m
   VectorField<Real> predicted;    ///< (n) x_i*, m

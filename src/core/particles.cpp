@@ -2,17 +2,6 @@
 
 namespace ice_ice_baby {
 
-namespace {
-
-template <class Real>
-void permute(VectorField<Real>& field, const std::vector<Index>& order) {
-  permute(field.x, order);
-  permute(field.y, order);
-  permute(field.z, order);
-}
-
-}  // namespace
-
 template <class Real>
 void Particles<Real>::reorder(const std::vector<Index>& order) {
   permute(position, order);
