@@ -21,7 +21,7 @@ constexpr Colour kGlass{0.60f, 0.75f, 0.85f};
 constexpr Colour kGround{0.55f, 0.55f, 0.55f};
 constexpr Colour kBall{0.85f, 0.55f, 0.30f};
 constexpr Colour kEdge{0.90f, 0.95f, 1.00f};
-constexpr Colour kSpring{0.95f, 0.98f, 1.00f};
+constexpr Colour kSpring{0.20f, 0.45f, 0.85f};
 
 Marker deleteAll(const std_msgs::Header& header) {
   Marker marker;
@@ -151,7 +151,7 @@ MarkerArray springMarkers(const std::vector<SpringSample>& springs, const std_ms
   for (std::size_t first = 0; first < springs.size(); first += kChunk) {
     const std::size_t last = std::min(first + kChunk, springs.size());
     array.markers.push_back(makeMarker(header, "springs", static_cast<int>(first / kChunk),
-                                       Marker::LINE_LIST, kSpring, 0.8));
+                                       Marker::LINE_LIST, kSpring, 1.0));
     Marker& marker = array.markers.back();
     marker.scale.x = width_m;
     marker.points.reserve(2 * (last - first));

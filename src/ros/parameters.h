@@ -27,7 +27,7 @@ struct NodeParameters {
   Vec3d scene_rpy_deg = Vec3d::Zero();
   double particles_rate_hz = 30.0;
   int particles_stride = 1;
-  bool particles_rgba = true;
+  bool particles_rgb = true;
   double springs_rate_hz = 2.0;
   int springs_max = 100000;
   double state_rate_hz = 10.0;
@@ -56,8 +56,8 @@ void describe(NodeParameters& p, Visitor&& visit) {
         "point clouds per second of wall time, at most one a frame; 0: none");
   visit("particles_stride", p.particles_stride, Range{1, 1000000},
         "publish every n-th particle, by id");
-  visit("particles_rgba", p.particles_rgba,
-        "whether a point carries a colour whose alpha grows as it freezes");
+  visit("particles_rgb", p.particles_rgb,
+        "whether a point carries a colour, blue for water and white for ice");
   visit("springs_rate_hz", p.springs_rate_hz, Range{0.0, 100.0},
         "spring markers per second of wall time; 0: none");
   visit("springs_max", p.springs_max, Range{0, 5000000},

@@ -27,7 +27,7 @@ PointField field(const char* name, std::uint32_t offset, std::uint8_t type) {
   return out;
 }
 
-std::vector<PointField> fields(bool rgba) {
+std::vector<PointField> fields(bool rgb) {
   std::vector<PointField> out;
   std::uint32_t offset = 0;
   for (const char* name :
@@ -36,7 +36,7 @@ std::vector<PointField> fields(bool rgba) {
     offset += 4;
   }
   out.push_back(field("id", offset, PointField::UINT32));
-  if (rgba) out.push_back(field("rgba", offset + 4, PointField::UINT32));
+  if (rgb) out.push_back(field("rgb", offset + 4, PointField::FLOAT32));
   return out;
 }
 
@@ -50,21 +50,21 @@ bool bigEndian() {
 }  // namespace
 
 std::uint32_t particleColour(float ice_fraction) {
-  constexpr float kWater[4] = {0.35f, 0.10f, 0.45f, 0.90f};  // alpha, red, green, blue
-  constexpr float kIce[4] = {1.0f, 0.86f, 0.95f, 1.0f};
+  constexpr float kWater[3] = {0.13f, 0.46f, 0.86f};  // red, green, blue
+  constexpr float kIce[3] = {0.90f, 0.96f, 1.0f};
   const float ice = std::min(std::max(ice_fraction, 0.0f), 1.0f);
   std::uint32_t colour = 0;
-  for (int part = 0; part < 4; ++part) {
+  for (int part = 0; part < 3; ++part) {
     const float mixed = kWater[part] + ice * (kIce[part] - kWater[part]);
     colour = colour << 8 | static_cast<std::uint32_t>(std::lround(255.0f * mixed));
   }
   return colour;
 }
 
-void writeCloud(const std::vector<ParticleSample>& samples, bool rgba,
+void writeCloud(const std::vector<ParticleSample>& samples, bool rgb,
                 sensor_msgs::PointCloud2& cloud) {
-  const std::size_t step = sizeof(ParticleSample) + (rgba ? sizeof(std::uint32_t) : 0);
-  cloud.fields = fields(rgba);
+  const std::size_t step = sizeof(ParticleSample) + (rgb ? sizeof(std::uint32_t) : 0);
+  cloud.fields = fields(rgb);
   cloud.is_bigendian = bigEndian();
   cloud.is_dense = true;
   cloud.height = 1;
@@ -73,7 +73,7 @@ void writeCloud(const std::vector<ParticleSample>& samples, bool rgba,
   cloud.row_step = static_cast<std::uint32_t>(step * samples.size());
   cloud.data.resize(step * samples.size());
   if (samples.empty()) return;
-  if (!rgba) {
+  if (!rgb) {
     std::memcpy(cloud.data.data(), samples.data(), cloud.data.size());
     return;
   }

@@ -48,7 +48,7 @@ TopicLoad RatedTopic::load() const {
 
 Topics::Topics(ros::NodeHandle& node, const NodeParameters& parameters)
     : scene_frame_(parameters.scene_frame),
-      rgba_(parameters.particles_rgba),
+      rgb_(parameters.particles_rgb),
       stride_(static_cast<std::size_t>(parameters.particles_stride)),
       springs_max_(static_cast<std::size_t>(parameters.springs_max)),
       particles_(parameters.particles_rate_hz),
@@ -75,7 +75,7 @@ void Topics::publish(const Simulation& simulation, const Snapshot& snapshot, con
   }
   news_.colliders = news_.colliders || colliders_moved;
   if (particles_.due(news_.particles, settled)) publishParticles(simulation, header(stamp));
-  const bool springs = !snapshot.report.springs == 0 || drawn_springs_ > 0;
+  const bool springs = snapshot.report.springs > 0 || drawn_springs_ > 0;
   if (springs_.due(news_.springs && springs, settled)) publishSprings(simulation, header(stamp));
   if (news_.colliders && colliders_.due(true, settled)) {
     news_.colliders = false;
@@ -93,7 +93,7 @@ void Topics::publishParticles(const Simulation& simulation, const std_msgs::Head
   news_.particles = false;
   simulation.sample(particle_samples_, stride_);
   cloud_.header = header;
-  writeCloud(particle_samples_, rgba_, cloud_);
+  writeCloud(particle_samples_, rgb_, cloud_);
   particles_.publish(cloud_);
 }
 

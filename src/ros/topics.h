@@ -64,7 +64,7 @@ class Topics {
   void publishSprings(const Simulation& simulation, const std_msgs::Header& header);
 
   const std::string scene_frame_;
-  const bool rgba_;
+  const bool rgb_;
   const std::size_t stride_;
   const std::size_t springs_max_;
   RatedTopic particles_;
