@@ -90,7 +90,7 @@ void Diagnostics::topics(Status& status) {
 
 void Diagnostics::followers(Status& status) {
   const std::vector<std::string> lost = frames_.lost();
-  status.summary(Level::OK, "known");
+  status.summary(Level::OK, "none missing");
   if (!lost.empty()) status.summary(Level::WARN, joined(lost));
 }
 

@@ -23,14 +23,15 @@ bool answer(Response& response, const Work& work) {
   return true;
 }
 
-/// @throws InvalidInput for what looks like a path: files are the operator's, not the network's
+/// @throws InvalidInput for a path as for an unknown name: files are the operator's to choose, not
+/// those of whoever reaches the service
 void requireSceneName(const std::string& name) {
-  const bool path = name.find('/') != std::string::npos ||
-                    name.find(".yaml") != std::string::npos ||
-                    name.find(".yml") != std::string::npos;
-  if (!path) return;
-  throw InvalidInput("scene \"" + name +
-                     "\" is a path; reset takes names only: " + joined(sceneNames()));
+  const std::vector<std::string> names = sceneNames();
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  const std::string meant = nearest(name, names);
+  throw InvalidInput("no scene \"" + name + "\"" +
+                     (meant.empty() ? "" : "; did you mean " + meant + "?") +
+                     " Names that reset takes: " + joined(names));
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ bool Services::reset(Reset::Request& request, Reset::Response& response) {
   const std::lock_guard<std::mutex> lock(reset_mutex_);
   response.particles = static_cast<std::uint32_t>(simulation_.snapshot().report.particles);
   return answer(response, [&] {
-    requireSceneName(request.scene);
+    if (!request.scene.empty()) requireSceneName(request.scene);
     const std::string name = request.scene.empty() ? scene_ : request.scene;
     const std::string preset = request.preset.empty() ? parameters_.preset : request.preset;
     const Scene scene = loadScene(name, overridesFor(parameters_, preset));

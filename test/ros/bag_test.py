@@ -1,0 +1,71 @@
+#!/usr/bin/python3
+"""A recorded bag holds every topic, reads back, and plays into new subscribers."""
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import rosbag
+import rospy
+from sensor_msgs import point_cloud2
+from sensor_msgs.msg import PointCloud2
+from visualization_msgs.msg import MarkerArray
+
+from harness import Latest, Node
+
+TOPICS = ['particles', 'springs', 'colliders', 'state']
+
+
+class Bag(unittest.TestCase):
+    def setUp(self):
+        rospy.init_node('bag_test')
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = os.path.join(self.folder.name, 'scene.bag')
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def record(self):
+        node = Node()
+        recorder = subprocess.Popen(['rosbag', 'record', '-O', self.path, '/tf', '/tf_static'] +
+                                    ['/sim/' + topic for topic in TOPICS])
+        try:
+            node.when(lambda s: all(t.subscribers for t in s.topics), 'the recorder')
+            node.resume()
+            node.set_temperature(temperature=-5.0)
+            node.when(lambda s: s.frame > 60 and s.springs > 0, 'ice')
+            node.pause()
+        finally:
+            recorder.send_signal(signal.SIGINT)
+            recorder.wait(timeout=20)
+
+    def test_record_read_replay(self):
+        self.record()
+        with rosbag.Bag(self.path) as bag:
+            counts = {t: i.message_count for t, i in bag.get_type_and_topic_info().topics.items()}
+            for topic in TOPICS:
+                self.assertGreater(counts.get('/sim/' + topic, 0), 0, topic)
+            self.assertIn('/tf_static', counts)
+            frames = [m.frame for _, m, _ in bag.read_messages('/sim/state')]
+            self.assertEqual(frames, sorted(frames))
+            cloud = [m for _, m, _ in bag.read_messages('/sim/particles')][-1]
+            ids = [p[0] for p in point_cloud2.read_points(cloud, ['id'])]
+            self.assertEqual(sorted(ids), list(range(216)))
+        with Latest('/again/particles', PointCloud2) as clouds, \
+                Latest('/again/colliders', MarkerArray) as colliders:
+            subprocess.run(['rosbag', 'play', '--delay=1', '--quiet', self.path,
+                            '/sim/particles:=/again/particles', '/sim/springs:=/again/springs',
+                            '/sim/colliders:=/again/colliders', '/sim/state:=/again/state'],
+                           check=True, timeout=60)
+            self.assertGreater(len(clouds.messages), 10)
+            self.assertEqual(clouds.messages[-1].width, 216)
+            self.assertTrue(colliders.messages)
+
+
+if __name__ == '__main__':
+    import rostest
+    rostest.rosrun('ice_ice_baby', 'bag', Bag)

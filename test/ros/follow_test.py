@@ -1,0 +1,69 @@
+#!/usr/bin/python3
+"""A collider follows a tf frame; one whose frame is missing stands still and says so."""
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import rospy
+from geometry_msgs.msg import TransformStamped
+from tf2_msgs.msg import TFMessage
+from visualization_msgs.msg import MarkerArray
+
+from harness import Latest, Node, wait_until
+
+BALL = 'ice_ice_baby/scene/ball'
+
+
+class Follow(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('follow_test')
+        cls.node = Node()
+        cls.tf = rospy.Publisher('/tf', TFMessage, queue_size=10)
+
+    def put_hand(self, x):
+        """Publishes where the frame `hand` is, in the world."""
+        hand = TransformStamped()
+        hand.header.stamp = rospy.Time.now()
+        hand.header.frame_id = 'world'
+        hand.child_frame_id = 'hand'
+        hand.transform.translation.x = x
+        hand.transform.rotation.w = 1.0
+        self.tf.publish(TFMessage([hand]))
+
+    def test_1_missing_frame_is_a_warning(self):
+        status = self.node.diagnostic('followed frames', lambda s: s.level == 1)
+        self.assertIn('ball', status.message)
+        self.assertIn('hand', status.message)
+        self.assertGreater(self.node.state().frame, 0)  # it runs all the same
+
+    def test_2_follows(self):
+        with Latest('/tf', TFMessage) as tf, Latest('/sim/colliders', MarkerArray) as arrays:
+            for x in (0.2, -0.15):
+                # The ball is fixed 0.2 m above the hand; the scene stands 0.1 m along x.
+                def ball_there():
+                    self.put_hand(x)
+                    return [t for m in tf.messages[-20:] for t in m.transforms
+                            if t.child_frame_id == BALL
+                            and abs(t.transform.translation.x - (x - 0.1)) < 1e-6
+                            and abs(t.transform.translation.z - 0.2) < 1e-6]
+                found = wait_until(ball_there, 'the ball at the hand')[0]
+                self.assertEqual(found.header.frame_id, 'ice_ice_baby/scene')
+                arrays.wait(lambda a: any(
+                    m.ns == 'ball' and abs(m.pose.position.x - (x - 0.1)) < 1e-6
+                    for m in a.markers), 'the drawn ball')
+        self.node.diagnostic('followed frames', lambda s: s.level == 0)
+        state = self.node.state()
+        self.assertEqual(state.non_finite, 0)
+
+    def test_3_a_pose_out_of_range_is_a_warning(self):
+        self.put_hand(1e7)
+        status = self.node.diagnostic('followed frames', lambda s: s.level == 1)
+        self.assertIn('outside', status.message)
+
+
+if __name__ == '__main__':
+    import rostest
+    rostest.rosrun('ice_ice_baby', 'follow', Follow)

@@ -1,0 +1,50 @@
+#!/usr/bin/python3
+"""The nodelet loads, serves, and unloads; one that is refused leaves its manager alive."""
+import os
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import rosgraph
+import rospy
+from nodelet.srv import NodeletList, NodeletUnload
+from sensor_msgs.msg import PointCloud2
+
+from harness import Latest, Node, wait_until
+
+
+class InManager(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('nodelet_test')
+
+    def test_serves_and_unloads(self):
+        node = Node()
+        node.start()
+        self.assertGreater(node.run_frames(3).time_s, 0.0)
+        with Latest('/sim/particles', PointCloud2) as clouds:
+            self.assertEqual(clouds.wait().width, 216)
+        unload = rospy.ServiceProxy('/manager/unload_nodelet', NodeletUnload)
+        self.assertTrue(unload(name='/sim').success)
+        wait_until(lambda: '/sim/step' not in self.services(), 'the end of the services')
+        self.assertNotIn('/refused', rospy.ServiceProxy('/manager/list', NodeletList)().nodelets)
+
+    def test_refused_parameter_leaves_the_manager_alive(self):
+        rospy.set_param('/refused/threads', -4)
+        load = subprocess.run(['rosrun', 'nodelet', 'nodelet', 'load', 'ice_ice_baby/Simulation',
+                               'manager', '__name:=refused'], timeout=30, check=False)
+        self.assertNotEqual(load.returncode, 0)
+        self.assertNotIn('/refused/step', self.services())
+        self.assertEqual(rospy.ServiceProxy('/manager/list', NodeletList)().nodelets.count(
+            '/refused'), 0)
+
+    @staticmethod
+    def services():
+        return [name for name, _ in rosgraph.Master('/nodelet_test').getSystemState()[2]]
+
+
+if __name__ == '__main__':
+    import rostest
+    rostest.rosrun('ice_ice_baby', 'nodelet', InManager)

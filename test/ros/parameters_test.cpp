@@ -1,0 +1,144 @@
+// Private parameters: read, refused by name, listed.
+#include "parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+std::string refusal(const XmlRpcValue& tree) {
+  try {
+    readParameters(tree);
+  } catch (const InvalidInput& e) {
+    return e.what();
+  }
+  return "";
+}
+
+template <class Value>
+XmlRpcValue with(const std::string& name, const Value& value) {
+  XmlRpcValue tree;
+  tree[name] = value;
+  return tree;
+}
+
+bool mentions(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Parameters, WithoutAnyTheStructsDefaultsHold) {
+  const NodeParameters read = readParameters(XmlRpcValue());
+  const NodeParameters defaults;
+  EXPECT_EQ(read.scene, defaults.scene);
+  EXPECT_EQ(read.particles_rate_hz, defaults.particles_rate_hz);
+  EXPECT_EQ(read.precision, defaults.precision);
+  EXPECT_TRUE(read.overrides.empty());
+}
+
+TEST(Parameters, AreRead) {
+  XmlRpcValue tree;
+  tree["scene"] = "dam_break";
+  tree["preset"] = "paper";
+  tree["precision"] = "double";
+  tree["threads"] = 3;
+  tree["real_time_factor"] = 2;
+  tree["start_paused"] = true;
+  tree["particles_rate_hz"] = 12.5;
+  tree["scene_position_m"][0] = 1;
+  tree["scene_position_m"][1] = -2.5;
+  tree["scene_position_m"][2] = 0;
+  const NodeParameters read = readParameters(tree);
+  EXPECT_EQ(read.scene, "dam_break");
+  EXPECT_EQ(read.preset, "paper");
+  EXPECT_EQ(read.precision, Precision::kDouble);
+  EXPECT_EQ(read.threads, 3);
+  EXPECT_EQ(read.real_time_factor, 2.0);
+  EXPECT_TRUE(read.start_paused);
+  EXPECT_EQ(read.particles_rate_hz, 12.5);
+  EXPECT_EQ(read.scene_position_m, Vec3d(1, -2.5, 0));
+}
+
+TEST(Parameters, UnknownNameIsRefusedWithTheOneMeant) {
+  const std::string message = refusal(with("particle_rate_hz", 30));
+  EXPECT_TRUE(mentions(message, "~particle_rate_hz")) << message;
+  EXPECT_TRUE(mentions(message, "did you mean ~particles_rate_hz")) << message;
+}
+
+TEST(Parameters, ValueOutOfRangeIsRefusedWithValueAndRange) {
+  const std::string message = refusal(with("particles_rate_hz", -3.5));
+  EXPECT_TRUE(mentions(message, "~particles_rate_hz")) << message;
+  EXPECT_TRUE(mentions(message, "-3.5")) << message;
+  EXPECT_TRUE(mentions(message, "[0, 1000]")) << message;
+}
+
+TEST(Parameters, WrongTypesAreRefused) {
+  EXPECT_TRUE(mentions(refusal(with("threads", 1.5)), "whole number"));
+  EXPECT_TRUE(mentions(refusal(with("threads", "two")), "must be a number"));
+  EXPECT_TRUE(mentions(refusal(with("start_paused", 1)), "true or false"));
+  EXPECT_TRUE(mentions(refusal(with("scene", 4)), "must be a text"));
+  EXPECT_TRUE(mentions(refusal(with("scene_rpy_deg", 90)), "three numbers"));
+  EXPECT_TRUE(mentions(refusal(with("precision", "half")), "float, double"));
+  EXPECT_TRUE(mentions(refusal(with("preset", "fast")), "default, paper"));
+  EXPECT_TRUE(mentions(refusal(with("overrides", 3)), "~overrides"));
+  EXPECT_TRUE(mentions(refusal(with("real_time_factor", std::nan(""))), "~real_time_factor"));
+}
+
+TEST(Parameters, FramesMustBeUsableAndDiffer) {
+  EXPECT_TRUE(mentions(refusal(with("frame_id", "")), "~frame_id"));
+  EXPECT_TRUE(mentions(refusal(with("scene_frame", "/scene")), "leading /"));
+  EXPECT_TRUE(mentions(refusal(with("scene_frame", "world")), "both world"));
+}
+
+TEST(Parameters, OverridesBecomeDottedKeys) {
+  XmlRpcValue tree;
+  tree["overrides"]["fluid"]["spacing_m"] = 0.04;
+  tree["overrides"]["solver"]["iterations"] = 3;
+  tree["overrides"]["preset"] = "paper";
+  tree["overrides"]["gravity_m_s2"][0] = 0;
+  tree["overrides"]["gravity_m_s2"][1] = 0.5;
+  tree["overrides"]["gravity_m_s2"][2] = -1;
+  std::ostringstream found;
+  for (const Override& change : readParameters(tree).overrides) {
+    found << change.key << "=" << change.value << ";";
+  }
+  EXPECT_EQ(found.str(),
+            "fluid.spacing_m=0.04;gravity_m_s2=[0, 0.5, -1];preset=\"paper\";"
+            "solver.iterations=3;");
+}
+
+TEST(Parameters, OverridesReachTheScene) {
+  XmlRpcValue tree;
+  tree["overrides"]["fluid"]["spacing_m"] = 0.04;
+  tree["overrides"]["spheres"][0]["name"] = "a \"quoted\" name";
+  const Scene scene = parseScene("{}", readParameters(tree).overrides);
+  EXPECT_EQ(scene.fluid.spacing_m, 0.04);
+  ASSERT_EQ(scene.spheres.size(), 1u);
+  EXPECT_EQ(scene.spheres[0].name, "a \"quoted\" name");
+}
+
+TEST(Parameters, PresetOfTheNodeIsAnOverride) {
+  NodeParameters parameters;
+  EXPECT_TRUE(overridesFor(parameters, "").empty());
+  EXPECT_EQ(parseScene("{}", overridesFor(parameters, "paper")).preset, Preset::kPaper);
+}
+
+TEST(Parameters, ReadmeListsEachAsItIs) {
+  std::ifstream stream(IIB_README);
+  std::stringstream readme;
+  readme << stream.rdbuf();
+  if (!mentions(readme.str(), "`particles_rate_hz`")) GTEST_SKIP() << "README has no table";
+  std::istringstream table(parameterTable());
+  for (std::string row; std::getline(table, row);) {
+    EXPECT_TRUE(mentions(readme.str(), row)) << "README.md lacks the row\n" << row;
+  }
+}
+
+}  // namespace
+}  // namespace ice_ice_baby

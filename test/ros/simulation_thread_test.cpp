@@ -1,0 +1,155 @@
+// Commands between frames: none is lost, none half applied, none waits for the solver.
+#include "simulation_thread.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/scene_loader.h"
+
+namespace ice_ice_baby {
+namespace {
+
+Scene puddle() {
+  return parseScene(R"(
+    fluid: {spacing_m: 0.05}
+    blocks: [{min_m: [0, 0, 0.2], max_m: [0.2, 0.2, 0.4]}]
+    planes: [{name: ground}])");
+}
+
+RunOptions paused() {
+  RunOptions options;
+  options.threads = 1;
+  options.start_paused = true;
+  return options;
+}
+
+template <class Condition>
+bool becomes(const SimulationThread& thread, const Condition& condition) {
+  for (int k = 0; k < 1000; ++k) {
+    if (condition(thread.snapshot())) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+bool reaches(const SimulationThread& thread, std::uint64_t frame) {
+  return becomes(thread, [&](const Snapshot& now) { return now.report.frame == frame; });
+}
+
+TEST(SimulationThread, StepsExactlyAsManyFramesAsAsked) {
+  SimulationThread thread(puddle(), paused(), {});
+  EXPECT_EQ(thread.snapshot().report.particles, 64u);
+  thread.step(7);
+  ASSERT_TRUE(reaches(thread, 7));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(thread.snapshot().report.frame, 7u);
+  EXPECT_NEAR(thread.snapshot().simulated_s, 7 / 60.0, 1e-12);
+}
+
+TEST(SimulationThread, StepsOnlyWhilePaused) {
+  SimulationThread thread(puddle(), paused(), {});
+  EXPECT_THROW(thread.step(0), InvalidInput);
+  EXPECT_THROW(thread.step(100001), InvalidInput);
+  thread.resume();
+  EXPECT_THROW(thread.step(1), InvalidInput);
+  thread.pause();
+  EXPECT_NO_THROW(thread.step(1));
+}
+
+TEST(SimulationThread, RefusedCommandsChangeNothing) {
+  SimulationThread thread(puddle(), paused(), {});
+  EXPECT_THROW(thread.setTemperature(std::nan(""), 0.0), InvalidInput);
+  EXPECT_THROW(thread.setTemperature(-300.0, 0.0), InvalidInput);
+  EXPECT_THROW(thread.setTemperature(0.0, -1.0), InvalidInput);
+  EXPECT_THROW(thread.setGravity({0.0, INFINITY, 0.0}), InvalidInput);
+  thread.step(1);
+  ASSERT_TRUE(reaches(thread, 1));
+  EXPECT_EQ(thread.snapshot().report.temperature_c, 20.0);
+  EXPECT_EQ(thread.snapshot().gravity_m_s2, Vec3d(0.0, 0.0, -9.81));
+}
+
+TEST(SimulationThread, ResetThatFailsKeepsTheOldSimulation) {
+  SimulationThread thread(puddle(), paused(), {});
+  thread.step(3);
+  ASSERT_TRUE(reaches(thread, 3));
+  Scene impossible = puddle();
+  impossible.limits.max_particles = 1;
+  thread.reset(impossible);
+  thread.step(1);
+  EXPECT_TRUE(reaches(thread, 4));
+  EXPECT_EQ(thread.snapshot().report.particles, 64u);
+}
+
+TEST(SimulationThread, ResetBeginsAgainAndSaysSo) {
+  std::atomic<int> starts{0};
+  RunHooks hooks;
+  hooks.started = [&](const Simulation&) { ++starts; };
+  SimulationThread thread(puddle(), paused(), hooks);
+  thread.setTemperature(-5.0, 0.0);
+  thread.step(3);
+  ASSERT_TRUE(reaches(thread, 3));
+  thread.reset(puddle());
+  ASSERT_TRUE(reaches(thread, 0));
+  EXPECT_EQ(thread.snapshot().report.temperature_c, 20.0);
+  EXPECT_EQ(thread.snapshot().report.springs, 0u);
+  EXPECT_TRUE(becomes(thread, [&](const Snapshot&) { return starts == 2; }));
+}
+
+TEST(SimulationThread, FrameThatFailsPausesInsteadOfEndingTheNode) {
+  RunHooks hooks;
+  std::atomic<bool> fails{true};
+  hooks.before_frame = [&](Simulation&) {
+    if (fails) throw std::runtime_error("out of luck");
+  };
+  RunOptions options = paused();
+  options.start_paused = false;
+  SimulationThread thread(puddle(), options, hooks);
+  ASSERT_TRUE(becomes(thread, [](const Snapshot& now) { return now.paused; }));
+  EXPECT_EQ(thread.snapshot().failure, "out of luck");
+  fails = false;
+  thread.resume();
+  EXPECT_TRUE(becomes(thread, [](const Snapshot& now) { return now.report.frame > 2; }));
+  EXPECT_EQ(thread.snapshot().failure, "");
+}
+
+TEST(SimulationThread, CommandsDoNotPileUpWithoutEnd) {
+  std::atomic<bool> held{true};
+  RunHooks hooks;
+  hooks.started = [&](const Simulation&) {
+    while (held) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  SimulationThread thread(puddle(), paused(), hooks);
+  for (int k = 0; k < 1000; ++k) thread.setTemperature(k % 50, 0.0);
+  EXPECT_THROW(thread.setTemperature(1.0, 0.0), InvalidInput);
+  held = false;
+  EXPECT_TRUE(becomes(thread, [](const Snapshot& now) { return now.report.temperature_c == 49; }));
+}
+
+TEST(SimulationThread, StopDoesNotWaitForALongFrame) {
+  std::atomic<bool> held{true};
+  RunHooks hooks;
+  hooks.started = [&](const Simulation&) {
+    while (held) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  SimulationThread thread(puddle(), paused(), hooks);
+  EXPECT_FALSE(thread.stop(0.05));
+  held = false;
+  EXPECT_TRUE(thread.stop(5.0));
+}
+
+TEST(SimulationThread, HoldsTheRealTimeFactor) {
+  RunOptions options = paused();
+  options.start_paused = false;
+  options.real_time_factor = 0.5;
+  SimulationThread thread(puddle(), options, {});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+  const Snapshot now = thread.snapshot();
+  EXPECT_LE(now.simulated_s, 0.55);
+  EXPECT_GT(now.simulated_s, 0.2);
+}
+
+}  // namespace
+}  // namespace ice_ice_baby
