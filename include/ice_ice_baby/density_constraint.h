@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ice_ice_baby/neighbours.h"
+#include "ice_ice_baby/pair_passes.h"
 #include "ice_ice_baby/particles.h"
 #include "ice_ice_baby/wall_density.h"
 
@@ -14,15 +15,14 @@ namespace ice_ice_baby {
 template <class Real>
 class DensityConstraint {
  public:
-  virtual ~DensityConstraint() = default;
+  /// @param walls density of colliders, or null where the scene has none or leaves it out
+  DensityConstraint(const Scene& scene, const WallDensity<Real>* walls);
 
   /// lambda_i of every particle (Eq. 5), times the relaxation.
-  virtual void computeLambda(const Particles<Real>& particles,
-                             const Neighbours<Real>& neighbours) = 0;
+  void computeLambda(const Particles<Real>& particles, const Neighbours<Real>& neighbours);
 
   /// Delta p_i of every particle (Eq. 6), bounded by the largest correction.
-  virtual void computeDeltaP(const Particles<Real>& particles,
-                             const Neighbours<Real>& neighbours) = 0;
+  void computeDeltaP(const Particles<Real>& particles, const Neighbours<Real>& neighbours);
 
   /// Frozen water keeps the density of the latest computeLambda where that is above rest: rigid
   /// springs hold it, and a constraint that pulled against them would shake the ice.
@@ -40,16 +40,29 @@ class DensityConstraint {
 
   std::size_t bytes() const;
 
- protected:
+ private:
   void resize(std::size_t n);
   /// rho_i / rho_0 at which C_i = 0.
   Real restDensity(std::size_t i) const {
     return kept_density_.empty() ? Real(1) : kept_density_[i];
   }
+  void finishLambda(std::size_t i, const Vec3<Real>& position);
+  void finishDeltaP(std::size_t i);
 
+  const WallDensity<Real>* walls_;
+  PairPasses<Real> passes_;
+  Real support_;         ///< h, m
+  Real weight_scale_;    ///< V W(0): density of a sum of 1
+  Real gradient_scale_;  ///< V W'(h/2) / (h/2), 1/m^2: gradient of a sum of 1 m
+  Real self_;            ///< density a particle adds to its own
+  Real relaxation_;
+  Real epsilon_;  ///< 1/m^2
+  bool resist_tension_;
+  Real max_correction_;             ///< m; 0: unlimited
+  PackedRows<Real> positions_;      ///< (n, 4) x_i* and lambda_i
   std::vector<Real> density_;       ///< (n) rho_i / rho_0
   std::vector<Real> lambda_;        ///< (n) m^2
-  VectorField<Real> delta_p_;       ///< (n) m
+  VectorField<Real> delta_p_;       ///< (n) m; before that the sums of computeLambda
   std::vector<Real> kept_density_;  ///< (n) rho_i / rho_0 that does not correct; empty while liquid
   VectorField<Real> wall_gradient_;  ///< (n) 1/m; empty without walls
 };

@@ -88,6 +88,12 @@ inline double densityAtZero(KernelPair pair, double h) {
   return pair == KernelPair::kCubic ? CubicSpline<double>(h).w(0) : Poly6<double>(h).w(0);
 }
 
+/// W'(h / 2) of the gradient kernel [1/m^4].
+inline double slopeAtHalf(KernelPair pair, double h) {
+  return pair == KernelPair::kCubic ? CubicSpline<double>(h).slope(h / 2)
+                                    : Spiky<double>(h).slope(h / 2);
+}
+
 /// Sum of W over a cubic lattice of spacing d around one of its points [1/m^3].
 template <class Kernel>
 double latticeSum(const Kernel& kernel, double spacing_m, bool with_self) {

@@ -8,15 +8,22 @@
 
 namespace ice_ice_baby {
 
-/// Calls body(i) for every i < count. Each call writes only what belongs to its own i, so the
-/// result does not depend on the number of threads.
+/// Calls body(first, last) for ranges that cover 0 ... count - 1. Each call writes only what
+/// belongs to its own range, so the result does not depend on the number of threads.
+template <class Body>
+void parallelForRanges(std::size_t count, const Body& body) {
+  constexpr std::size_t kGrain = 256;
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, count, kGrain),
+      [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+}
+
+/// Calls body(i) for every i < count. Each call writes only what belongs to its own i.
 template <class Body>
 void parallelFor(std::size_t count, const Body& body) {
-  constexpr std::size_t kGrain = 256;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-                    });
+  parallelForRanges(count, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i != last; ++i) body(i);
+  });
 }
 
 }  // namespace ice_ice_baby

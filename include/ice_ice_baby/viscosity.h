@@ -3,6 +3,7 @@
 
 #include "ice_ice_baby/kernels.h"
 #include "ice_ice_baby/neighbours.h"
+#include "ice_ice_baby/pair_passes.h"
 #include "ice_ice_baby/particles.h"
 
 namespace ice_ice_baby {
@@ -17,13 +18,18 @@ class Viscosity {
   /// depend on the number of substeps. Conserves momentum.
   void apply(Particles<Real>& particles, const Neighbours<Real>& neighbours, double dt_s);
 
-  std::size_t bytes() const { return smoothed_.bytes(); }
+  std::size_t bytes() const {
+    return positions_.bytes() + velocities_.bytes() + differences_.bytes();
+  }
 
  private:
   CubicSpline<Real> kernel_;
   Real volume_;
   double rate_1_s_;
-  VectorField<Real> smoothed_;  ///< (n) m/s, so that no particle reads what another wrote
+  PairPasses<Real> passes_;
+  PackedRows<Real> positions_;     ///< (n, 4) m
+  PackedRows<Real> velocities_;    ///< (n, 4) m/s, so that no particle reads what another wrote
+  VectorField<Real> differences_;  ///< (n) m/s
 };
 
 }  // namespace ice_ice_baby

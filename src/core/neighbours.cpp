@@ -23,16 +23,8 @@ constexpr std::uint64_t packKey(std::uint64_t x, std::uint64_t y, std::uint64_t 
 
 template <class Real>
 bool Neighbours<Real>::stale(const VectorField<Real>& predicted) const {
-  const std::size_t n = predicted.size();
-  if (built_at_.size() != n) return true;
-  const Real limit = skin_ / 2;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Real dx = predicted.x[i] - built_at_.x[i];
-    const Real dy = predicted.y[i] - built_at_.y[i];
-    const Real dz = predicted.z[i] - built_at_.z[i];
-    if (!(dx * dx + dy * dy + dz * dz <= limit * limit)) return true;
-  }
-  return false;
+  if (count_.size() != predicted.size()) return true;
+  return !search_.allWithin(predicted, built_at_, skin_ / 2);
 }
 
 template <class Real>
@@ -97,8 +89,7 @@ void Neighbours<Real>::findCells() {
 }
 
 template <class Real>
-typename Neighbours<Real>::Row Neighbours<Real>::row(std::uint64_t centre_key, int dy,
-                                                     int dz) const {
+IndexRange Neighbours<Real>::row(std::uint64_t centre_key, int dy, int dz) const {
   const std::uint64_t middle =
       centre_key +
       static_cast<std::uint64_t>((std::int64_t(dz) << (2 * kBits)) + (std::int64_t(dy) << kBits));
@@ -110,30 +101,34 @@ typename Neighbours<Real>::Row Neighbours<Real>::row(std::uint64_t centre_key, i
 }
 
 template <class Real>
-void Neighbours<Real>::buildChunk(std::size_t chunk, const VectorField<Real>& predicted) {
+void Neighbours<Real>::buildChunk(std::size_t chunk) {
   std::vector<Index>& list = chunks_[chunk].list;
-  list.clear();
-  const std::size_t end = std::min((chunk + 1) * kChunk, predicted.size());
-  const Real limit = reach_ * reach_;
-  std::array<Row, 9> rows{};
+  const std::size_t end = std::min((chunk + 1) * kChunk, keys_.size());
+  CellRows rows{};
   std::uint64_t rows_key = 0;
+  Index begin = 0;
   for (std::size_t i = chunk * kChunk; i < end; ++i) {
     if (keys_[i] != rows_key) {
       rows_key = keys_[i];
       for (int k = 0; k < 9; ++k) rows[std::size_t(k)] = row(rows_key, k % 3 - 1, k / 3 - 1);
     }
-    begin_[i] = Index(list.size());
-    const Vec3<Real> xi = predicted.at(i);
-    for (const Row& cells : rows) {
-      for (Index j = cells.first; j < cells.last; ++j) {
-        const Real dx = predicted.x[j] - xi.x();
-        const Real dy = predicted.y[j] - xi.y();
-        const Real dz = predicted.z[j] - xi.z();
-        if (dx * dx + dy * dy + dz * dz < limit && j != i) list.push_back(j);
-      }
-    }
-    end_[i] = Index(list.size());
+    begin = buildList(i, rows, begin, list);
   }
+}
+
+/// Writes the list of one particle and its padding at `begin`. Returns where the next one starts.
+template <class Real>
+Index Neighbours<Real>::buildList(std::size_t i, const CellRows& rows, Index begin,
+                                  std::vector<Index>& list) {
+  std::size_t room = begin + 2 * kPadding;  // the search writes whole vectors
+  for (const IndexRange& cells : rows) room += cells.last - cells.first;
+  if (list.size() < room) list.resize(room + room / 2);
+  Index* first = list.data() + begin;
+  Index* last = search_.collect(built_at_, Index(i), rows, reach_ * reach_, first);
+  begin_[i] = begin;
+  count_[i] = static_cast<Index>(last - first);
+  std::fill(last, last + kPadding, Index(i));
+  return begin + static_cast<Index>(padded(i).size());
 }
 
 template <class Real>
@@ -141,26 +136,25 @@ void Neighbours<Real>::build(const VectorField<Real>& predicted) {
   const std::size_t n = predicted.size();
   findCells();
   built_at_ = predicted;
+  built_at_.resize(n + kPadding);
   begin_.resize(n);
-  end_.resize(n);
+  count_.resize(n);
   const std::size_t chunks = (n + kChunk - 1) / kChunk;
   chunks_.resize(chunks);
-  tbb::parallel_for(std::size_t(0), chunks, [&](std::size_t k) { buildChunk(k, predicted); });
+  tbb::parallel_for(std::size_t(0), chunks, [&](std::size_t k) { buildChunk(k); });
   ++builds_;
 }
 
 template <class Real>
 std::size_t Neighbours<Real>::pairs() const {
-  std::size_t count = 0;
-  for (const Chunk& chunk : chunks_) count += chunk.list.size();
-  return count / 2;
+  return std::accumulate(count_.begin(), count_.end(), std::size_t(0)) / 2;
 }
 
 template <class Real>
 std::size_t Neighbours<Real>::bytes() const {
   std::size_t total =
       built_at_.bytes() + (keys_.capacity() + key_scratch_.capacity()) * sizeof(std::uint64_t) +
-      (order_.capacity() + order_scratch_.capacity() + begin_.capacity() + end_.capacity()) *
+      (order_.capacity() + order_scratch_.capacity() + begin_.capacity() + count_.capacity()) *
           sizeof(Index) +
       cells_.capacity() * sizeof(Cell);
   for (const Chunk& chunk : chunks_) total += chunk.list.capacity() * sizeof(Index);

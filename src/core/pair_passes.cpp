@@ -1,0 +1,209 @@
+#include "ice_ice_baby/pair_passes.h"
+
+#include "highway_targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pair_passes.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "packed_load-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ice_ice_baby {
+namespace HWY_NAMESPACE {
+
+/// Pairs of one particle with as many neighbours as a vector has lanes.
+template <class D>
+struct Pairs {
+  hn::Vec<D> x, y, z;  ///< x_i - x_j, m
+  hn::Vec<D> fourth;   ///< of the neighbours
+  hn::Vec<D> square;   ///< q^2 = (r / h)^2
+  hn::Mask<D> within;  ///< 0 < q < 1
+};
+
+template <class D, class Real>
+HWY_INLINE Pairs<D> loadPairs(D d, const Columns<D>& own, Real inverse_h2, const Real* positions,
+                              const Index* j) {
+  const Columns<D> other = loadRows(d, positions, j);
+  Pairs<D> pairs;
+  pairs.x = hn::Sub(own.x, other.x);
+  pairs.y = hn::Sub(own.y, other.y);
+  pairs.z = hn::Sub(own.z, other.z);
+  pairs.fourth = other.w;
+  const auto r2 =
+      hn::MulAdd(pairs.x, pairs.x, hn::MulAdd(pairs.y, pairs.y, hn::Mul(pairs.z, pairs.z)));
+  pairs.square = hn::Mul(r2, hn::Set(d, inverse_h2));
+  pairs.within =
+      hn::And(hn::Gt(pairs.square, hn::Zero(d)), hn::Lt(pairs.square, hn::Set(d, Real(1))));
+  return pairs;
+}
+
+/// One particle in every lane.
+template <class D, class Real>
+HWY_INLINE Columns<D> spread(D d, const Real* rows, std::size_t i) {
+  const Real* row = rows + 4 * i;
+  return {hn::Set(d, row[0]), hn::Set(d, row[1]), hn::Set(d, row[2]), hn::Set(d, row[3])};
+}
+
+template <class D>
+HWY_INLINE hn::TFromD<D> total(D d, hn::Vec<D> v) {
+  return hn::GetLane(hn::SumOfLanes(d, v));
+}
+
+/// W(q) / W(0) of the cubic spline: 1 - 6 q^2 (1 - q), beyond 1/2: 2 (1 - q)^3.
+template <class D>
+HWY_INLINE hn::Vec<D> cubicWeight(D d, hn::Vec<D> q, hn::Vec<D> square) {
+  using Real = hn::TFromD<D>;
+  const auto one = hn::Set(d, Real(1));
+  const auto u = hn::Sub(one, q);
+  const auto inner = hn::NegMulAdd(hn::Mul(hn::Set(d, Real(6)), square), u, one);
+  const auto outer = hn::Mul(hn::Add(u, u), hn::Mul(u, u));
+  return hn::IfThenElse(hn::Lt(q, hn::Set(d, Real(0.5))), inner, outer);
+}
+
+/// Beyond q = 1/2 the slopes of both gradient kernels have the same shape.
+template <class D>
+HWY_INLINE hn::Vec<D> outerSlope(D d, hn::Vec<D> q) {
+  const auto u = hn::Sub(hn::Set(d, hn::TFromD<D>(1)), q);
+  return hn::Div(hn::Mul(hn::Add(u, u), u), q);
+}
+
+/// Kernels in units of h, their scale taken out: see ConstraintSums.
+struct CubicShape {
+  template <class D>
+  static HWY_INLINE hn::Vec<D> weight(D d, hn::Vec<D> q, hn::Vec<D> square) {
+    return cubicWeight(d, q, square);
+  }
+  template <class D>
+  static HWY_INLINE hn::Vec<D> slope(D d, hn::Vec<D> q) {
+    using Real = hn::TFromD<D>;
+    const auto inner = hn::NegMulAdd(hn::Set(d, Real(6)), q, hn::Set(d, Real(4)));
+    return hn::IfThenElse(hn::Lt(q, hn::Set(d, Real(0.5))), inner, outerSlope(d, q));
+  }
+};
+
+struct Poly6SpikyShape {
+  template <class D>
+  static HWY_INLINE hn::Vec<D> weight(D d, hn::Vec<D>, hn::Vec<D> square) {
+    const auto u = hn::Sub(hn::Set(d, hn::TFromD<D>(1)), square);
+    return hn::Mul(u, hn::Mul(u, u));
+  }
+  template <class D>
+  static HWY_INLINE hn::Vec<D> slope(D d, hn::Vec<D> q) {
+    return outerSlope(d, q);
+  }
+};
+
+template <class Shape, class Real>
+void sumConstraint(const PairInput<Real>& in, ConstraintSums<Real> out, ParticleRange range) {
+  const Lanes<Real> d;
+  const Real inverse_h2 = 1 / (in.support * in.support);
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    const auto own = spread(d, in.positions, i);
+    auto density = hn::Zero(d), squares = density, x = density, y = density, z = density;
+    const auto list = in.neighbours.padded(i);
+    for (const Index* j = list.first; j != list.last; j += hn::MaxLanes(d)) {
+      const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j);
+      const auto q = hn::Sqrt(pairs.square);
+      const auto weight = Shape::weight(d, q, pairs.square);
+      const auto slope = hn::IfThenElseZero(pairs.within, Shape::slope(d, q));
+      density = hn::Add(density, hn::IfThenElseZero(pairs.within, weight));
+      squares = hn::MulAdd(hn::Mul(slope, slope), pairs.square, squares);
+      x = hn::MulAdd(slope, pairs.x, x);
+      y = hn::MulAdd(slope, pairs.y, y);
+      z = hn::MulAdd(slope, pairs.z, z);
+    }
+    out.density[i] = total(d, density);
+    out.squares[i] = total(d, squares);
+    out.gradients.x[i] = total(d, x);
+    out.gradients.y[i] = total(d, y);
+    out.gradients.z[i] = total(d, z);
+  }
+}
+
+template <class Shape, class Real>
+void sumCorrections(const PairInput<Real>& in, VectorField<Real>& out, ParticleRange range) {
+  const Lanes<Real> d;
+  const Real inverse_h2 = 1 / (in.support * in.support);
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    const auto own = spread(d, in.positions, i);
+    auto x = hn::Zero(d), y = x, z = x;
+    const auto list = in.neighbours.padded(i);
+    for (const Index* j = list.first; j != list.last; j += hn::MaxLanes(d)) {
+      const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j);
+      const auto slope = Shape::slope(d, hn::Sqrt(pairs.square));
+      const auto both = hn::Add(own.w, pairs.fourth);
+      const auto push = hn::IfThenElseZero(pairs.within, hn::Mul(both, slope));
+      x = hn::MulAdd(push, pairs.x, x);
+      y = hn::MulAdd(push, pairs.y, y);
+      z = hn::MulAdd(push, pairs.z, z);
+    }
+    out.x[i] = total(d, x);
+    out.y[i] = total(d, y);
+    out.z[i] = total(d, z);
+  }
+}
+
+template <class Real>
+void sumDifferences(const PairInput<Real>& in, VectorField<Real>& out, ParticleRange range) {
+  const Lanes<Real> d;
+  const Real inverse_h2 = 1 / (in.support * in.support);
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    const auto own = spread(d, in.positions, i);
+    const auto own_value = spread(d, in.values, i);
+    auto x = hn::Zero(d), y = x, z = x;
+    const auto list = in.neighbours.padded(i);
+    for (const Index* j = list.first; j != list.last; j += hn::MaxLanes(d)) {
+      const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j);
+      const auto value = loadRows(d, in.values, j);
+      const auto near = hn::Lt(pairs.square, hn::Set(d, Real(1)));
+      const auto weight =
+          hn::IfThenElseZero(near, cubicWeight(d, hn::Sqrt(pairs.square), pairs.square));
+      x = hn::MulAdd(weight, hn::Sub(value.x, own_value.x), x);
+      y = hn::MulAdd(weight, hn::Sub(value.y, own_value.y), y);
+      z = hn::MulAdd(weight, hn::Sub(value.z, own_value.z), z);
+    }
+    out.x[i] = total(d, x);
+    out.y[i] = total(d, y);
+    out.z[i] = total(d, z);
+  }
+}
+
+template <class Shape, class Real>
+PairPasses<Real> passesOf() {
+  return {&sumConstraint<Shape, Real>, &sumCorrections<Shape, Real>, &sumDifferences<Real>};
+}
+
+template <class Real>
+PairPasses<Real> passesFor(KernelPair kernel) {
+  if (kernel == KernelPair::kCubic) return passesOf<CubicShape, Real>();
+  return passesOf<Poly6SpikyShape, Real>();
+}
+
+PairPasses<float> floatPasses(KernelPair kernel) { return passesFor<float>(kernel); }
+PairPasses<double> doublePasses(KernelPair kernel) { return passesFor<double>(kernel); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace ice_ice_baby
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace ice_ice_baby {
+
+HWY_EXPORT(floatPasses);
+HWY_EXPORT(doublePasses);
+
+template <>
+PairPasses<float> pairPasses(KernelPair kernel) {
+  return HWY_DYNAMIC_DISPATCH(floatPasses)(kernel);
+}
+template <>
+PairPasses<double> pairPasses(KernelPair kernel) {
+  return HWY_DYNAMIC_DISPATCH(doublePasses)(kernel);
+}
+
+}  // namespace ice_ice_baby
+
+#endif  // HWY_ONCE
