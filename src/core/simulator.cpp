@@ -256,10 +256,13 @@ void Simulator<Real>::moveCollider(const std::string& name, const Posed& pose) {
     requireInRange("position of collider " + name, pose.position[axis], kCoordinateRange_m.min,
                    kCoordinateRange_m.max);
   }
-  if (!pose.rotation.allFinite() || !pose.rotation.isUnitary(1e-6)) {
+  // A mirror is unitary too, but its determinant is -1.
+  const auto& turn = pose.rotation;
+  if (!turn.allFinite() || !turn.isUnitary(1e-6) || turn.determinant() < 0.0) {
     throw InvalidInput("rotation of collider " + name + " must be a unit quaternion");
   }
-  if (still(now.position, pose.position) && now.rotation == pose.rotation) return;
+  const bool there = still(now.position, pose.position) && now.rotation == pose.rotation;
+  if (there && !colliders_moving_) return;
   colliders_.moveTo(name, pose);
   colliders_moving_ = true;
   wake();
