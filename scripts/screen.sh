@@ -48,9 +48,9 @@ simulated_s() {
   [[ "$line" =~ ^[0-9] ]] && echo "${line%%.*}" || echo 0
 }
 
-# await_simulated LOG_DIR SECONDS: until so much time is simulated; slower than 1/10 is an error.
+# await_simulated LOG_DIR SECONDS: until so much time is simulated; slower than 1/40 is an error.
 await_simulated() {
-  local deadline=$((SECONDS + 60 + 10 * $2))
+  local deadline=$((SECONDS + 60 + 40 * $2))
   while [[ "$(simulated_s "$1")" -lt "$2" ]]; do
     kill -0 "$SIMULATION" 2>/dev/null || die "the node ended; see $1/simulation.log"
     [[ $SECONDS -lt $deadline ]] || die "the simulation is too slow; see $1/simulation.log"
