@@ -24,6 +24,7 @@ namespace ice_ice_baby {
 namespace {
 
 const char* const DEFAULT_NODE = "/ice_ice_baby";
+constexpr double ARRIVED_C = 0.05;  ///< so close to the target it counts as reached
 constexpr int WATCH_MS = 1000;
 constexpr int SILENCE_MS = 2000;  ///< without a state for so long the node is asked
 
@@ -96,7 +97,10 @@ void ControlPanel::connectInputs() {
     Q_EMIT configChanged();
   });
   connect(temperature_, &TemperatureControl::requested, this,
-          [this](double celsius, double ramp_s) { client_->setTemperature(celsius, ramp_s); });
+          [this](double celsius, double ramp_s) {
+            target_ = celsius;
+            client_->setTemperature(celsius, ramp_s);
+          });
   connect(temperature_, &TemperatureControl::rampChanged, this, &ControlPanel::configChanged);
   connect(pause_, &QPushButton::clicked, this,
           [this] { paused_ ? client_->resume() : client_->pause(); });
@@ -130,7 +134,7 @@ void ControlPanel::followNode(const QString& node) {
   since_state_.invalidate();
   reached_ = false;
   asked_ = false;
-  take_target_ = true;
+  target_.reset();
   state_view_->forget();
   temperature_->showInForce(std::nan(""));
   if (!client_->follow(node.toStdString())) {
@@ -149,7 +153,7 @@ void ControlPanel::showAnswer(const Answer& answer) {
   if (!answer.reached) {
     state_view_->forget();
     temperature_->showInForce(std::nan(""));
-    take_target_ = true;
+    target_.reset();
   }
   const bool regained = answer.reached && !reached_;
   reached_ = answer.reached;
@@ -158,7 +162,9 @@ void ControlPanel::showAnswer(const Answer& answer) {
     if (regained) showLine("connected", true);
     return;
   }
-  if (answer.service == "reset" && answer.success) take_target_ = true;
+  const bool overtaken = answer.service == "reset" && answer.success;
+  const bool refused = answer.service == "set_temperature" && !answer.success;
+  if (overtaken || refused) target_.reset();
   const QString words = QString::fromStdString(answer.message);
   showLine(answer.reached ? QString::fromStdString(answer.service) + ": " + words : words,
            answer.success);
@@ -171,8 +177,8 @@ void ControlPanel::showState(const State& state) {
   step_->setEnabled(paused_);
   state_view_->show(state);
   temperature_->showInForce(state.temperature);
-  if (take_target_) temperature_->showTarget(state.temperature);
-  take_target_ = false;
+  if (target_ && std::abs(state.temperature - *target_) < ARRIVED_C) target_.reset();
+  if (!target_) temperature_->showTarget(state.temperature);
   if (scene_->view()->isVisible()) return;
   scene_->setCurrentText(QString::fromStdString(state.scene));
 }

@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <QTimer>
 #include <memory>
+#include <optional>
 
 #include "simulation_client.h"
 
@@ -63,9 +64,9 @@ class ControlPanel : public rviz::Panel {
   QTimer watch_;
   QElapsedTimer since_state_;
   bool paused_ = false;
-  bool reached_ = false;     ///< whether the node gave the latest answer
-  bool asked_ = false;       ///< whether the watch still waits for one
-  bool take_target_ = true;  ///< the next state's temperature is where the slider goes
+  bool reached_ = false;          ///< whether the node gave the latest answer
+  bool asked_ = false;            ///< whether the watch still waits for one
+  std::optional<double> target_;  ///< asked for and not yet in force; none: the slider follows
 
   std::unique_ptr<SimulationClient> client_;  ///< last: its threads end before the widgets do
 };
