@@ -105,6 +105,7 @@ class Colliders {
   void forEachMotion(Visit&& visit);
 
   std::vector<Travel> travels_;
+  Real settled2_;  ///< m^2; a response that moves less than its root is done
 };
 
 }  // namespace ice_ice_baby

@@ -81,7 +81,8 @@ Posed between(const Posed& a, const Posed& b, double fraction) {
 }  // namespace
 
 template <class Real>
-Colliders<Real>::Colliders(const Scene& scene, double radius_m) {
+Colliders<Real>::Colliders(const Scene& scene, double radius_m)
+    : settled2_(static_cast<Real>(1e-8 * radius_m * radius_m)) {
   const auto add = [&](auto& bodies, const auto& items) {
     for (const auto& item : items) {
       const Posed pose = item.pose();
@@ -99,12 +100,15 @@ template <class Real>
 Vec3<Real> Colliders<Real>::respond(const Vec3<Real>& from, const Vec3<Real>& to,
                                     bool stick) const {
   Vec3<Real> end = to;
-  // The second pass mends what a later collider undid in an earlier one.
-  const std::size_t bodies = containers.size() + planes.size() + spheres.size();
-  for (int pass = 0; pass < (bodies > 1 ? 2 : 1); ++pass) {
+  // A later collider may push into an earlier one: in a wedge each pass halves what is left.
+  constexpr int kMaxPasses = 16;
+  const bool one = containers.size() + planes.size() + spheres.size() == 1;
+  for (int pass = 0; pass < (one ? 1 : kMaxPasses); ++pass) {
+    const Vec3<Real> before = end;
     for (const auto& body : spheres) end = contact(body, from, end, stick);
     for (const auto& body : planes) end = contact(body, from, end, stick);
     for (const auto& body : containers) end = contact(body, from, end, stick);
+    if ((end - before).squaredNorm() <= settled2_) break;
   }
   return end;
 }

@@ -1,0 +1,266 @@
+// What water and ice do over a second or two of whole scenes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "fixtures.h"
+#include "ice_ice_baby/simulation.h"
+
+namespace ice_ice_baby {
+namespace {
+
+using test::fullTank;
+using test::splash;
+
+void run(Simulation& simulation, int frames) {
+  for (int k = 0; k < frames; ++k) simulation.advanceFrame();
+}
+
+std::vector<ParticleSample> samplesOf(const Simulation& simulation) {
+  std::vector<ParticleSample> samples;
+  simulation.sample(samples, 1);
+  return samples;
+}
+
+/// Mean height of the topmost layer's worth of particles.
+double surfaceHeight(const Simulation& simulation, std::size_t layer) {
+  std::vector<double> heights;
+  for (const ParticleSample& s : samplesOf(simulation)) heights.push_back(s.z);
+  std::sort(heights.rbegin(), heights.rend());
+  double sum = 0;
+  for (std::size_t k = 0; k < layer; ++k) sum += heights[k];
+  return sum / double(layer);
+}
+
+bool allFinite(const Simulation& simulation) {
+  for (const ParticleSample& s : samplesOf(simulation)) {
+    if (!std::isfinite(s.x + s.y + s.z + s.vx + s.vy + s.vz + s.density)) return false;
+  }
+  return simulation.report().non_finite == 0;
+}
+
+TEST(WaterTest, AColumnKeepsItsHeightAndItsDensity) {
+  Scene scene = fullTank(12, true);
+  scene.containers[0].size_m.z() = 1.0;
+  const auto simulation = makeSimulation(scene);
+  const double before = surfaceHeight(*simulation, 144) + 0.025;
+  run(*simulation, 120);
+  EXPECT_GE((surfaceHeight(*simulation, 144) + 0.025) / before, 0.98);
+  EXPECT_LE((surfaceHeight(*simulation, 144) + 0.025) / before, 1.02);
+  // One iteration a substep bears 60 cm of water with a quarter of a percent of compression.
+  EXPECT_LT(simulation->measureDensityError().mean, 4e-3);
+  EXPECT_LT(simulation->report().rms_speed_m_s, 0.1);
+}
+
+TEST(WaterTest, AViolentSplashStaysInItsContainer) {
+  for (const Precision precision : {Precision::kFloat, Precision::kDouble}) {
+    const auto simulation = makeSimulation(splash(), precision);
+    simulation->setGravity({40, 30, -100});
+    run(*simulation, 20);
+    simulation->setGravity({-100, 0, 100});
+    for (int k = 0; k < 40; ++k) {
+      simulation->advanceFrame();
+      ASSERT_EQ(simulation->countEscaped(), 0u);
+    }
+    EXPECT_TRUE(allFinite(*simulation));
+  }
+}
+
+TEST(WaterTest, AnOverfullContainerReportsItsErrorAndLosesNothing) {
+  Scene scene = fullTank(5);
+  scene.blocks.push_back(test::blockOf({-0.115, -0.115, 0.01}, {0.085, 0.085, 0.21}));
+  const auto simulation = makeSimulation(scene);
+  run(*simulation, 60);
+  EXPECT_TRUE(allFinite(*simulation));
+  EXPECT_EQ(simulation->countEscaped(), 0u);
+  EXPECT_GT(simulation->measureDensityError().mean, 0.1);
+}
+
+TEST(IceTest, AFrozenBlockKeepsItsShapeInFreeFlight) {
+  Scene scene = test::floatingCube(5);
+  scene.temperature.initial_c = -10;
+  scene.gravity_m_s2 = {0, 0, -9.81};
+  const auto simulation = makeSimulation(scene, Precision::kDouble);
+  const auto before = samplesOf(*simulation);
+  run(*simulation, 60);
+  const auto after = samplesOf(*simulation);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    EXPECT_NEAR(after[k].x - after[0].x, before[k].x - before[0].x, 1e-5);
+    EXPECT_NEAR(after[k].z - after[0].z, before[k].z - before[0].z, 1e-5);
+  }
+}
+
+TEST(IceTest, InstantFreezingInASplashAndThawingAt30HzStayBounded) {
+  const auto simulation = makeSimulation(splash());
+  run(*simulation, 25);
+  std::size_t most = 0;
+  for (int k = 0; k < 60; ++k) {
+    simulation->setTemperature(k % 2 ? 20 : -20, 0);
+    simulation->advanceFrame();
+    most = std::max(most, simulation->report().springs);
+    ASSERT_EQ(simulation->countEscaped(), 0u);
+  }
+  EXPECT_TRUE(allFinite(*simulation));
+  EXPECT_LT(most, 20 * simulation->report().particles);
+  EXPECT_LT(simulation->report().max_speed_m_s, 10.0);
+}
+
+TEST(IceTest, ASheetHoldsTogetherOverABall) {
+  Scene scene;
+  scene.fluid.spacing_m = 0.05;
+  scene.blocks.push_back(test::blockOf({-0.3, -0.3, 0.4}, {0.3, 0.3, 0.45}));
+  scene.blocks[0].sheet = true;
+  scene.spheres.emplace_back();
+  scene.spheres[0].name = "ball";
+  scene.spheres[0].position_m = {0, 0, 0.15};
+  scene.spheres[0].radius_m = 0.15;
+  const auto simulation = makeSimulation(scene);
+  const std::size_t springs = simulation->report().springs;
+  run(*simulation, 90);
+  EXPECT_EQ(simulation->report().springs, springs);
+  std::vector<SpringSample> ends;
+  simulation->sampleSprings(ends, 1 << 20);
+  ASSERT_EQ(ends.size(), springs);
+  for (const SpringSample& s : ends) {
+    const double length = Vec3d(s.ax - s.bx, s.ay - s.by, s.az - s.bz).norm();
+    EXPECT_LT(length, 0.05 * 1.5 * 1.25);
+  }
+}
+
+Scene freezingSplash(Preset preset) {
+  Scene scene;
+  applyPreset(scene, preset, 0.05);
+  const Scene shapes = splash();
+  scene.fluid.spacing_m = shapes.fluid.spacing_m;
+  scene.blocks = shapes.blocks;
+  scene.containers = shapes.containers;
+  scene.schedule = {{0.15, -10, 0.2}, {0.5, 20, 0.1}};
+  return scene;
+}
+
+TEST(DeterminismTest, OneTwoAndFourThreadsGiveTheSameBits) {
+  for (const Preset preset : {Preset::kDefault, Preset::kPaper}) {
+    for (const Precision precision : {Precision::kFloat, Precision::kDouble}) {
+      std::vector<std::uint64_t> hashes;
+      std::size_t springs = 0;
+      for (const int threads : {1, 2, 4}) {
+        const auto simulation = makeSimulation(freezingSplash(preset), precision, threads);
+        run(*simulation, 24);
+        springs = simulation->report().springs;
+        run(*simulation, 21);
+        hashes.push_back(simulation->stateHash());
+      }
+      EXPECT_GT(springs, 0u);
+      EXPECT_EQ(hashes[0], hashes[1]);
+      EXPECT_EQ(hashes[0], hashes[2]);
+    }
+  }
+}
+
+TEST(DeterminismTest, TwoRunsGiveTheSameBitsAndAskingChangesNothing) {
+  const auto quiet = makeSimulation(freezingSplash(Preset::kDefault));
+  const auto asked = makeSimulation(freezingSplash(Preset::kDefault));
+  std::vector<SpringSample> springs;
+  for (int k = 0; k < 30; ++k) {
+    quiet->advanceFrame();
+    asked->advanceFrame();
+    asked->measureDensityError();
+    asked->sampleSprings(springs, 10);
+    samplesOf(*asked);
+  }
+  EXPECT_EQ(quiet->stateHash(), asked->stateHash());
+}
+
+TEST(PrecisionTest, FloatFollowsDoubleForAWhile) {
+  const auto single = makeSimulation(splash(), Precision::kFloat);
+  const auto twice = makeSimulation(splash(), Precision::kDouble);
+  run(*single, 12);
+  run(*twice, 12);
+  const auto a = samplesOf(*single), b = samplesOf(*twice);
+  double apart = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    apart += Vec3d(a[k].x - b[k].x, a[k].y - b[k].y, a[k].z - b[k].z).norm();
+  }
+  EXPECT_LT(apart / double(a.size()), 1e-3) << "a fiftieth of the spacing, on average";
+}
+
+TEST(ScaleTest, TheSameSceneATenthAndTenTimesAsLarge) {
+  std::vector<double> errors;
+  for (const double scale : {0.1, 1.0, 10.0}) {
+    Scene scene = splash();
+    scene.fluid.spacing_m *= scale;
+    scene.blocks[0].min_m *= scale;
+    scene.blocks[0].max_m *= scale;
+    scene.containers[0].size_m *= scale;
+    scene.gravity_m_s2 *= scale;
+    scene.solver.max_speed_m_s *= scale;
+    const auto simulation = makeSimulation(scene, Precision::kDouble);
+    run(*simulation, 12);
+    errors.push_back(samplesOf(*simulation)[100].z / scale);
+  }
+  // Samples are float, which is where the tolerance comes from.
+  EXPECT_NEAR(errors[0], errors[1], 1e-5);
+  EXPECT_NEAR(errors[2], errors[1], 1e-5);
+}
+
+TEST(ExtremesTest, NothingBecomesNotFiniteOrEscapes) {
+  const auto survives = [](const char* what, auto&& change) {
+    Scene scene = splash();
+    change(scene);
+    const auto simulation = makeSimulation(scene);
+    run(*simulation, 10);
+    EXPECT_TRUE(allFinite(*simulation)) << what;
+    EXPECT_EQ(simulation->countEscaped(), 0u) << what;
+  };
+  survives("a step of one second", [](Scene& s) {
+    s.solver.frame_rate_hz = 1;
+    s.solver.substeps = 1;
+  });
+  survives("a step of a nanosecond's order", [](Scene& s) {
+    s.solver.frame_rate_hz = 1e4;
+    s.solver.substeps = 1000;
+    s.blocks[0].max_m = s.blocks[0].min_m + Vec3d::Constant(0.1);
+  });
+  survives("gravity 1e4", [](Scene& s) { s.gravity_m_s2 = {0, 0, -1e4}; });
+  survives("1000 m/s", [](Scene& s) {
+    s.blocks[0].velocity_m_s = {1000, -1000, 1000};
+    s.solver.max_speed_m_s = 1e5;
+  });
+  survives("blocks in the same place", [](Scene& s) { s.blocks.push_back(s.blocks[0]); });
+  survives("a ball over all the water", [](Scene& s) {
+    s.spheres.emplace_back();
+    s.spheres[0].position_m = {0, 0, 0.3};
+    s.spheres[0].radius_m = 0.2;
+  });
+  survives("40 iterations", [](Scene& s) { s.solver.iterations = 40; });
+  survives("frozen at once", [](Scene& s) { s.temperature.initial_c = -273.15; });
+}
+
+TEST(CollidersInMotionTest, AShakenClosedTankLosesNothing) {
+  const auto simulation = makeSimulation(splash());
+  test::Random random(61);
+  for (int frame = 0; frame < 60; ++frame) {
+    Posed pose;
+    pose.position = random.inBox(Vec3d::Constant(-0.2), Vec3d::Constant(0.2));
+    pose.rotation = Eigen::AngleAxisd(random.uniform(-0.5, 0.5), random.direction()).matrix();
+    simulation->moveCollider("tank", pose);
+    simulation->advanceFrame();
+    ASSERT_EQ(simulation->countEscaped(), 0u) << frame;
+  }
+  EXPECT_TRUE(allFinite(*simulation));
+}
+
+TEST(CollidersInMotionTest, ATeleportedTankTakesItsWaterAlong) {
+  const auto simulation = makeSimulation(splash());
+  Posed pose;
+  pose.position = {50, -30, 20};
+  simulation->moveCollider("tank", pose);
+  run(*simulation, 2);
+  EXPECT_EQ(simulation->countEscaped(), 0u);
+  EXPECT_TRUE(allFinite(*simulation));
+  EXPECT_LE(simulation->report().max_speed_m_s, 30.001);
+}
+
+}  // namespace
+}  // namespace ice_ice_baby
