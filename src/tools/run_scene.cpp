@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "frame_writer.h"
@@ -22,7 +23,7 @@ enum ExitCode { kRan = 0, kBadInput = 1, kUnstable = 2 };
 struct Options {
   std::string scene;
   std::string preset;
-  double duration_s = -1.0;
+  std::optional<double> duration_s;
   int threads = 0;
   std::string precision = "float";
   std::vector<std::string> overrides;
@@ -146,7 +147,7 @@ void printSummary(const Simulation& simulation, const RunRecord& record) {
 
 int runScene(const Options& options) {
   const Scene scene = readScene(options);
-  const double duration = options.duration_s < 0.0 ? scene.duration_s : options.duration_s;
+  const double duration = options.duration_s.value_or(scene.duration_s);
   requireInRange("--duration", duration, 0.0, 1e6);
   requireInRange("--frames-hz", options.frames_hz, 1e-3, 1e4);
   const auto simulation = makeSimulation(scene, parsePrecision(options.precision), options.threads);

@@ -1,0 +1,142 @@
+"""Contract of run_scene: exit codes, one clear line for bad input, the report, the pictures."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+RUN_SCENE = sys.argv.pop(1)
+KEYS = """scene particles springs simulated_time_s wall_time_s steps density_error_mean
+density_error_max kinetic_energy_j max_speed_m_s escaped non_finite state_hash threads precision
+stages""".split()
+SMALL = """name: small
+duration_s: 0.1
+fluid: {spacing_m: 0.05}
+blocks: [{min_m: [-0.15, -0.15, 0.05], max_m: [0.15, 0.15, 0.3]}]
+containers: [{name: tank, size_m: [0.4, 0.4, 0.4], open_top: false}]
+"""
+
+
+class RunScene(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.scene = self.folder / "small.yaml"
+        self.scene.write_text(SMALL)
+
+    def run_scene(self, *words, **environment):
+        return subprocess.run([RUN_SCENE, *map(str, words)], text=True, capture_output=True,
+                              env={**os.environ, **environment}, timeout=60)
+
+    def report(self, *words):
+        path = self.folder / "report.json"
+        result = self.run_scene(self.scene, "--report", path, *words)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(path.read_text())
+
+    def refused(self, *words):
+        result = self.run_scene(*words)
+        self.assertEqual(result.returncode, 1, f"{words}: {result.stdout}{result.stderr}")
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        return result.stderr
+
+    def test_a_run_is_quiet_but_for_its_summary(self):
+        result = self.run_scene(self.scene)
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr, "")
+        self.assertEqual(len(result.stdout.splitlines()), 1, "no progress bar in a pipe")
+        self.assertNotIn("\r", result.stdout)
+        self.assertIn("180 particles", result.stdout)
+
+    def test_report_has_every_key_and_adds_up(self):
+        report = self.report("--threads", 2, "--precision", "double")
+        for key in KEYS:
+            self.assertIn(key, report)
+        self.assertEqual(report["scene"], "small")
+        self.assertEqual(report["particles"], 180)
+        self.assertEqual(report["springs"], 0)
+        self.assertEqual(report["threads"], 2)
+        self.assertEqual(report["precision"], "double")
+        self.assertAlmostEqual(report["simulated_time_s"], 0.1)
+        self.assertEqual(report["steps"], 48)
+        self.assertEqual((report["escaped"], report["non_finite"]), (0, 0))
+        self.assertRegex(report["state_hash"], "^[0-9a-f]{16}$")
+        for stage in report["stages"]:
+            self.assertEqual(set(stage), {"name", "calls", "time_s", "bytes"})
+        calls = {stage["name"]: stage["calls"] for stage in report["stages"]}
+        self.assertEqual(calls["predict"], 48)
+        self.assertNotIn("make_springs", calls)
+
+    def test_same_bits_for_any_number_of_threads(self):
+        hashes = {self.report("--threads", n)["state_hash"] for n in (1, 2, 4)}
+        self.assertEqual(len(hashes), 1)
+        self.assertNotIn(self.report("--set", "solver.substeps=9")["state_hash"], hashes)
+
+    def test_preset_duration_and_overrides_hold(self):
+        report = self.report("--duration", 0.05, "--preset", "paper", "--set", "solver.substeps=2",
+                             "--set", "temperature.initial_c=-5")
+        self.assertEqual(report["preset"], "paper")
+        self.assertEqual(report["steps"], 6)
+        self.assertGreater(report["springs"], 0)
+
+    def test_bad_input_is_one_line_that_says_what(self):
+        cases = [(["no_such_scene"], "no_such_scene"), (["dam_brake"], "did you mean dam_break"),
+                 ([], "name a scene"), ([self.folder / "none.yaml"], "none.yaml"),
+                 ([self.scene, "--set", "solver.iteration=3"], "solver.iterations"),
+                 ([self.scene, "--set", "solver.iterations"], "key=value"),
+                 ([self.scene, "--set", "solver.iterations=x"], "must be a number"),
+                 ([self.scene, "--set", "solver.substeps=0"], "[1, 1000]"),
+                 ([self.scene, "--precision", "half"], "float or double"),
+                 ([self.scene, "--preset", "fast"], "default, paper"),
+                 ([self.scene, "--threads", "-1"], "threads"),
+                 ([self.scene, "--duration", "nan"], "--duration"),
+                 ([self.scene, "--duration", "-3"], "--duration"),
+                 ([self.scene, "--frames-hz", "0"], "--frames-hz"),
+                 ([self.scene, "--report", self.folder / "no" / "r.json"], "report"),
+                 ([self.scene, "--frames", self.scene], "small.yaml")]
+        for words, clue in cases:
+            with self.subTest(words=words):
+                self.assertIn(clue, self.refused(*words))
+
+    def test_options_that_do_not_exist_are_bad_input(self):
+        for words in (["--nonsense"], ["--threads", "many"], ["--duration"]):
+            self.assertEqual(self.run_scene(self.scene, *words).returncode, 1)
+
+    def test_what_becomes_unstable_has_its_own_exit_code(self):
+        result = self.run_scene(self.scene, "--set", "solver.max_speed_m_s=0.01")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("unstable", result.stderr)
+
+    def test_pictures_are_png(self):
+        pictures = self.folder / "pictures"
+        result = self.run_scene(self.scene, "--frames", pictures, "--frames-hz", 30)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        files = sorted(pictures.iterdir())
+        self.assertEqual(len(files), 3)
+        for file in files:
+            self.assertEqual(file.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_profile_shows_the_stages(self):
+        result = self.run_scene(self.scene, "--profile")
+        self.assertIn("neighbours", result.stdout)
+        self.assertIn("us/call", result.stdout)
+
+    def test_help_has_examples_and_exit_codes(self):
+        result = self.run_scene("--help")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("Examples:", result.stdout)
+        self.assertIn("run_scene dam_break", result.stdout)
+        self.assertIn("Exit code", result.stdout)
+
+    def test_list_names_the_scenes_and_defaults_the_keys(self):
+        self.assertIn("dam_break", self.run_scene("--list").stdout)
+        self.assertIn("substeps: 8", self.run_scene("--defaults").stdout)
+        result = self.run_scene("--list", ICE_ICE_BABY_SCENES=str(self.folder))
+        self.assertEqual(result.stdout.split()[0], "small")
+
+
+if __name__ == "__main__":
+    unittest.main()
