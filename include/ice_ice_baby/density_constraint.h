@@ -24,14 +24,6 @@ class DensityConstraint {
   /// Delta p_i of every particle (Eq. 6), bounded by the largest correction.
   void computeDeltaP(const Particles<Real>& particles, const Neighbours<Real>& neighbours);
 
-  /// Frozen water keeps the density of the latest computeLambda where that is above rest: rigid
-  /// springs hold it, and a constraint that pulled against them would shake the ice.
-  void keepDensity();
-  /// Melted water has rest density again.
-  void releaseDensity() { std::vector<Real>().swap(kept_density_); }
-  /// Follows a sort of the particles: place k now holds what was at order[k].
-  void renumber(const std::vector<Index>& order);
-
   const VectorField<Real>& deltaP() const { return delta_p_; }
   VectorField<Real>& deltaP() { return delta_p_; }
   /// (n) rho_i / rho_0 of the latest computeLambda.
@@ -42,10 +34,6 @@ class DensityConstraint {
 
  private:
   void resize(std::size_t n);
-  /// rho_i / rho_0 at which C_i = 0.
-  Real restDensity(std::size_t i) const {
-    return kept_density_.empty() ? Real(1) : kept_density_[i];
-  }
   void finishLambda(std::size_t i, const Vec3<Real>& position);
   void finishDeltaP(std::size_t i);
 
@@ -58,12 +46,11 @@ class DensityConstraint {
   Real relaxation_;
   Real epsilon_;  ///< 1/m^2
   bool resist_tension_;
-  Real max_correction_;             ///< m; 0: unlimited
-  PackedRows<Real> positions_;      ///< (n, 4) x_i* and lambda_i
-  std::vector<Real> density_;       ///< (n) rho_i / rho_0
-  std::vector<Real> lambda_;        ///< (n) m^2
-  VectorField<Real> delta_p_;       ///< (n) m; before that the sums of computeLambda
-  std::vector<Real> kept_density_;  ///< (n) rho_i / rho_0 that does not correct; empty while liquid
+  Real max_correction_;              ///< m; 0: unlimited
+  PackedRows<Real> positions_;       ///< (n, 4) x_i* and lambda_i
+  std::vector<Real> density_;        ///< (n) rho_i / rho_0
+  std::vector<Real> lambda_;         ///< (n) m^2
+  VectorField<Real> delta_p_;        ///< (n) m; before that the sums of computeLambda
   VectorField<Real> wall_gradient_;  ///< (n) 1/m; empty without walls
 };
 

@@ -114,7 +114,7 @@ struct SpringParams {
   double reach_h = 0.75;
   double slack_1_s = 50.0;
   bool keep_frozen = true;
-  double damping = 0.5;
+  bool correct_updated = true;
   bool stick_to_colliders = true;
   double sleep_speed_m_s = 0.01;
 };
@@ -129,8 +129,9 @@ void describe(SpringParams& p, Visitor&& visit) {
   visit("keep_frozen", p.keep_frozen,
         "whether frozen springs keep the rest length they froze with (false, paper: every substep "
         "makes them anew)");
-  visit("damping", p.damping, Range{0.0, 1.0},
-        "part of the relative velocity along a frozen spring removed each substep (paper: 0)");
+  visit("correct_updated", p.correct_updated,
+        "whether springs correct x* after delta p moved it (false, paper: before, so that both "
+        "answer the same error, overshoot and shake the ice)");
   visit("stick_to_colliders", p.stick_to_colliders,
         "whether frozen water does not slide on what it touches (paper: false)");
   visit("sleep_speed_m_s", p.sleep_speed_m_s, Range{0.0, 10.0},

@@ -50,6 +50,7 @@ class Simulator final : public Simulation {
   void applyForcesAndPredict(Real dt);
   void findNeighbours();
   void makeSprings();
+  void correctSprings(double dt_s);
   void respondToCollisions();
   void updatePredicted();
   void finishCollisions();
@@ -84,12 +85,11 @@ class Simulator final : public Simulation {
   StageClock position_clock_{"position"};
   StageClock velocity_clock_{"velocity"};
   StageClock viscosity_clock_{"viscosity"};
-  StageClock damp_springs_clock_{"damp_springs"};
   StageClock report_clock_{"report"};
 
   StepReport report_;
   double strictness_ = 0.0;
-  double still_s_ = 0.0;       ///< for how long frozen water has been slower than the sleep speed
+  double still_s_ = 0.0;  ///< for how long frozen water has been slower than the sleep speed
   bool colliders_moving_ = false;
 };
 

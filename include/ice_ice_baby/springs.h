@@ -54,9 +54,6 @@ class Springs {
   /// Corrects x* along each spring in turn, half to each end (Algorithm 1).
   void correct(VectorField<Real>& predicted, double strictness, double dt_s) const;
 
-  /// Takes a part of the relative velocity along each rigid spring, equal and opposite at its ends.
-  void damp(VectorField<Real>& velocity, const VectorField<Real>& position) const;
-
   /// Follows a sort of the particles: place k now holds what was at order[k].
   void renumber(const std::vector<Index>& order);
 

@@ -51,7 +51,7 @@ void DensityConstraint<Real>::finishLambda(std::size_t i, const Vec3<Real>& posi
     wall_gradient_.set(i, wall.gradient);
   }
   density_[i] = relative;
-  Real constraint = relative - restDensity(i);  // Eq. 2
+  Real constraint = relative - 1;  // Eq. 2
   if (!resist_tension_) constraint = std::max(constraint, Real(0));
   const Real gradients = others + own.squaredNorm() + epsilon_;
   lambda_[i] = gradients > 0 ? -relaxation_ * constraint / gradients : Real(0);  // Eq. 5
@@ -89,20 +89,9 @@ void DensityConstraint<Real>::resize(std::size_t n) {
 }
 
 template <class Real>
-void DensityConstraint<Real>::keepDensity() {
-  kept_density_ = density_;
-  for (Real& density : kept_density_) density = std::max(density, Real(1));
-}
-
-template <class Real>
-void DensityConstraint<Real>::renumber(const std::vector<Index>& order) {
-  if (!kept_density_.empty()) permute(kept_density_, order);
-}
-
-template <class Real>
 std::size_t DensityConstraint<Real>::bytes() const {
-  return (density_.capacity() + lambda_.capacity() + kept_density_.capacity()) * sizeof(Real) +
-         delta_p_.bytes() + wall_gradient_.bytes() + positions_.bytes();
+  return (density_.capacity() + lambda_.capacity()) * sizeof(Real) + delta_p_.bytes() +
+         wall_gradient_.bytes() + positions_.bytes();
 }
 
 template <class Real>

@@ -115,7 +115,7 @@ void applyPreset(Scene& scene, Preset preset, double spacing_m) {
   SpringParams& springs = scene.springs;
   springs.reach_h = 1.0;
   springs.keep_frozen = false;
-  springs.damping = 0.0;
+  springs.correct_updated = false;
   springs.stick_to_colliders = false;
   springs.sleep_speed_m_s = 0.0;
 }

@@ -89,20 +89,15 @@ void Simulator<Real>::substep(double dt_s) {
     lambda_clock_.run([&] { density_->computeLambda(particles_, neighbours_); });
     delta_p_clock_.run([&] { density_->computeDeltaP(particles_, neighbours_); });
     if (!colliders_.empty()) collide_clock_.run([&] { respondToCollisions(); });
-    if (springs_) {
-      correct_springs_clock_.run(
-          [&] { springs_->correct(particles_.predicted, strictness_, dt_s); });
-    }
+    if (!scene_.springs.correct_updated) correctSprings(dt_s);
     position_clock_.run([&] { updatePredicted(); });
+    if (scene_.springs.correct_updated) correctSprings(dt_s);
   }
   const bool moved_since_response = springs_ || scene_.solver.iterations == 0;
   if (moved_since_response && !colliders_.empty()) collide_clock_.run([&] { finishCollisions(); });
 
   velocity_clock_.run([&] { updateVelocityAndPosition(dt); });
   if (viscosity_) viscosity_clock_.run([&] { viscosity_->apply(particles_, neighbours_, dt_s); });
-  if (springs_ && scene_.springs.damping > 0.0) {
-    damp_springs_clock_.run([&] { springs_->damp(particles_.velocity, particles_.position); });
-  }
 }
 
 template <class Real>
@@ -121,7 +116,6 @@ void Simulator<Real>::findNeighbours() {
   const std::vector<Index>& order = neighbours_.sortOrder(particles_.predicted);
   particles_.reorder(order);
   if (springs_) springs_->renumber(order);
-  if (density_) density_->renumber(order);
   neighbours_.build(particles_.predicted);
 }
 
@@ -131,10 +125,13 @@ void Simulator<Real>::makeSprings() {
   if (!springs_) springs_.emplace(scene_.springs);
   const double reach = scene_.springs.reach_h * scene_.supportRadius_m();
   springs_->make(particles_, neighbours_, static_cast<Real>(reach));
-  if (!frozen() || !scene_.springs.keep_frozen) return;
-  springs_->keep();
-  density_->computeLambda(particles_, neighbours_);
-  density_->keepDensity();
+  if (frozen() && scene_.springs.keep_frozen) springs_->keep();
+}
+
+template <class Real>
+void Simulator<Real>::correctSprings(double dt_s) {
+  if (!springs_) return;
+  correct_springs_clock_.run([&] { springs_->correct(particles_.predicted, strictness_, dt_s); });
 }
 
 /// Amends delta p so that x* + delta p lies outside every collider.
@@ -198,7 +195,6 @@ void Simulator<Real>::updateTemperature(double time_s) {
   if (strictness_ != before) wake();
   if (strictness_ >= 1.0 || !springs_) return;
   springs_->melt();
-  density_->releaseDensity();
   if (springs_->empty()) springs_.reset();
 }
 

@@ -163,7 +163,6 @@ std::vector<StageStats> Simulator<Real>::stages() const {
   if (iterates) list.push_back(position_clock_.stats(0));
   list.push_back(velocity_clock_.stats(0));
   if (viscosity_) list.push_back(viscosity_clock_.stats(viscosity_->bytes()));
-  if (springs_) list.push_back(damp_springs_clock_.stats(0));
   list.push_back(report_clock_.stats(0));
   return list;
 }

@@ -79,23 +79,6 @@ void Springs<Real>::correct(VectorField<Real>& predicted, double strictness, dou
 }
 
 template <class Real>
-void Springs<Real>::damp(VectorField<Real>& velocity, const VectorField<Real>& position) const {
-  const Real part = static_cast<Real>(params_.damping) / 2;
-  const std::size_t rigid_count = kept_ ? springs_.size() : sheet_count_;
-  for (std::size_t s = 0; s < rigid_count; ++s) {
-    const Spring<Real>& spring = springs_[s];
-    const Vec3<Real> along = position.at(spring.b) - position.at(spring.a);
-    const Real length2 = along.squaredNorm();
-    if (length2 == 0) continue;
-    const Vec3<Real> va = velocity.at(spring.a);
-    const Vec3<Real> vb = velocity.at(spring.b);
-    const Vec3<Real> impulse = along * (part * (vb - va).dot(along) / length2);
-    velocity.set(spring.a, va + impulse);
-    velocity.set(spring.b, vb - impulse);
-  }
-}
-
-template <class Real>
 void Springs<Real>::renumber(const std::vector<Index>& order) {
   place_of_.resize(order.size());
   for (Index k = 0; k < order.size(); ++k) place_of_[order[k]] = k;
