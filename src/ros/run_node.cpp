@@ -3,7 +3,9 @@
 #include <ros/console.h>
 #include <ros/init.h>
 #include <ros/master.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -22,6 +24,11 @@ constexpr double kPatience_s = 1.0;
 constexpr const char* kUsage =
     "Usage: rosrun ice_ice_baby simulation_node [_parameter:=value ...]\n"
     "Serves a scene of water that freezes and melts. `--parameters` lists the parameters.\n";
+
+/// ros::init may wait for the master, and until ros::start nothing listens to signals.
+void endAtOnce(int) { _exit(EXIT_SUCCESS); }
+
+void endInOrder(int) { ros::requestShutdown(); }
 
 /// @returns whether the master answered before the process was asked to end
 bool waitForMaster() {
@@ -45,12 +52,15 @@ int runNode(int argc, char** argv) {
     std::cout << kUsage;
     return EXIT_SUCCESS;
   }
+  std::signal(SIGINT, endAtOnce);
+  std::signal(SIGTERM, endAtOnce);
   ros::init(argc, argv, "ice_ice_baby");
   if (argc > 1) {
     std::cerr << "Unknown argument \"" << argv[1] << "\".\n" << kUsage;
     return EXIT_FAILURE;
   }
-  ros::start();
+  ros::start();  // which takes over SIGINT
+  std::signal(SIGTERM, endInOrder);
   if (!waitForMaster()) return EXIT_SUCCESS;
   std::unique_ptr<SimulationNode> node;
   try {

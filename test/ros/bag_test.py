@@ -31,8 +31,8 @@ class Bag(unittest.TestCase):
 
     def record(self):
         node = Node()
-        recorder = subprocess.Popen(['rosbag', 'record', '-O', self.path, '/tf', '/tf_static'] +
-                                    ['/sim/' + topic for topic in TOPICS])
+        recorder = subprocess.Popen(['rosrun', 'rosbag', 'record', '-O', self.path, '/tf',
+                                     '/tf_static'] + ['/sim/' + topic for topic in TOPICS])
         try:
             node.when(lambda s: all(t.subscribers for t in s.topics), 'the recorder')
             node.resume()

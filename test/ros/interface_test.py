@@ -157,8 +157,8 @@ class Interface(unittest.TestCase):
         self.assertLess(ice.rms_speed_m_s, 0.2 * fluid.rms_speed_m_s)
         with Latest('/sim/particles', PointCloud2) as clouds:
             cloud = clouds.wait()
-        points = list(point_cloud2.read_points(cloud, ['ice_fraction', 'temperature', 'rgb']))
-        self.assertEqual({p[:2] for p in points}, {(1.0, -5.0)})
+        points = list(point_cloud2.read_points(cloud, ['temperature', 'ice_fraction', 'rgb']))
+        self.assertEqual({p[:2] for p in points}, {(-5.0, 1.0)})
         self.assertTrue(all(min(colour(p[2])) > 200 for p in points))  # nearly white
         self.node.set_temperature(temperature=20.0, ramp_s=0.0)
         self.assertEqual(self.node.run_frames(2).springs, 0)

@@ -119,8 +119,10 @@ class Process(unittest.TestCase):
         node = self.start_node('scene:=small')
         time.sleep(1.5)
         self.assertIsNone(node.poll())
-        out = self.assert_ends(node, signal.SIGINT, 3.0)
-        self.assertIn('start roscore', out)
+        self.assertIn('master', self.assert_ends(node, signal.SIGINT, 3.0))
+        node = self.start('rosrun', 'ice_ice_baby', 'simulation_node')
+        time.sleep(1.5)
+        self.assertIn('start roscore', self.assert_ends(node, signal.SIGTERM, 3.0))
 
     def test_survives_a_restart_of_the_master(self):
         master = self.start_master()
