@@ -22,8 +22,8 @@ struct NearSearch {
   /// @param padded reaches a vector beyond the last particle
   Index* (*collect)(const VectorField<Real>& padded, Index i, const CellRows& rows, Real limit2,
                     Index* out);
-  /// Whether every particle is within `limit` of where it was, but for a shift common to all. With
-  /// fewer particles than a vector has lanes, or a value that is not finite: no.
+  /// Whether every particle is within `limit` of where it was, but for a shift common to all.
+  /// No, if one is not a finite number.
   bool (*allWithin)(const VectorField<Real>& now, const VectorField<Real>& before, Real limit);
 };
 

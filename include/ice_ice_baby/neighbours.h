@@ -23,10 +23,12 @@ class Neighbours {
   };
 
   /// @param support_m h, m
-  /// @param skin_m lists reach h + skin and stay valid until some particle has moved skin / 2
+  /// @param skin_m lists reach h + skin and stay valid while no two particles have moved by skin
+  /// against each other
   Neighbours(Real support_m, Real skin_m) : reach_(support_m + skin_m), skin_(skin_m) {}
 
-  /// Whether some predicted position is further than skin / 2 from where the lists were built.
+  /// Whether some predicted position is further than skin / 2 from where the lists were built, but
+  /// for a shift common to all: water that falls as one keeps its lists.
   bool stale(const VectorField<Real>& predicted) const;
 
   /// Order in which particles lie cell by cell: place k is for particle order[k].

@@ -87,11 +87,10 @@ HWY_INLINE Real middleShift(D d, const std::vector<Real>& now, const std::vector
   return (hn::GetLane(hn::MinOfLanes(d, low)) + hn::GetLane(hn::MaxOfLanes(d, high))) / 2;
 }
 
-template <class Real>
-bool allWithin(const VectorField<Real>& now, const VectorField<Real>& before, Real limit) {
-  const Lanes<Real> d;
+template <class D, class Real>
+HWY_INLINE bool allWithinLanes(D d, const VectorField<Real>& now, const VectorField<Real>& before,
+                               Real limit) {
   constexpr std::size_t kLanes = hn::MaxLanes(d);
-  if (now.size() < kLanes) return false;
   const auto shift_x = hn::Set(d, middleShift(d, now.x, before.x));
   const auto shift_y = hn::Set(d, middleShift(d, now.y, before.y));
   const auto shift_z = hn::Set(d, middleShift(d, now.z, before.z));
@@ -104,6 +103,13 @@ bool allWithin(const VectorField<Real>& now, const VectorField<Real>& before, Re
         squaredNorm(d, hn::Sub(x, shift_x), hn::Sub(y, shift_y), hn::Sub(z, shift_z));
     return hn::AllTrue(d, hn::Le(moved2, limit2));  // false for NaN
   });
+}
+
+template <class Real>
+bool allWithin(const VectorField<Real>& now, const VectorField<Real>& before, Real limit) {
+  const Lanes<Real> d;
+  if (now.size() >= hn::MaxLanes(d)) return allWithinLanes(d, now, before, limit);
+  return allWithinLanes(hn::CappedTag<Real, 1>(), now, before, limit);
 }
 
 NearSearch<float> floatSearch() { return {&collect<float>, &allWithin<float>}; }
