@@ -68,6 +68,7 @@ class WallDensity {
   void addCorner(const std::array<NearWall, 3>& walls, WallSample<Real>& sample) const;
   void addContainer(const Body<Real, ContainerShape<Real>>& body, const Vec3<Real>& point,
                     WallSample<Real>& sample) const;
+  bool hidden(const Vec3<Real>& point, const Vec3<Real>& nearest) const;
   void addPlane(const Body<Real, PlaneShape<Real>>& body, const Vec3<Real>& point,
                 WallSample<Real>& sample) const;
 

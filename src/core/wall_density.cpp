@@ -190,6 +190,21 @@ void WallDensity<Real>::addContainer(const Body<Real, ContainerShape<Real>>& bod
   sample.gradient += body.motion.to.rotation * box.gradient;
 }
 
+/// Whether the nearest point of something else lies behind a wall of the container that holds the
+/// point: a ground just under a container must not count on top of its floor.
+template <class Real>
+bool WallDensity<Real>::hidden(const Vec3<Real>& point, const Vec3<Real>& nearest) const {
+  const Real hair = Real(1e-3) * radius_;
+  for (const auto& body : colliders_.containers) {
+    if (!body.shape.inside(body.motion.to.toLocal(point))) continue;
+    const Vec3<Real> local = body.motion.to.toLocal(nearest);
+    const auto low = body.shape.inner.low.array() - radius_ + hair;
+    const auto high = body.shape.inner.high.array() + radius_ - hair;
+    if ((local.array() < low).any() || (local.array() > high).any()) return true;
+  }
+  return false;
+}
+
 template <class Real>
 void WallDensity<Real>::addPlane(const Body<Real, PlaneShape<Real>>& body, const Vec3<Real>& point,
                                  WallSample<Real>& sample) const {
@@ -201,8 +216,10 @@ void WallDensity<Real>::addPlane(const Body<Real, PlaneShape<Real>>& body, const
                                (local.head(2).array() > plate.high.head(2).array()).any());
   if (beside || distance < 0) return;
   const auto [density, slope] = plane_.at(distance);
+  const Vec3<Real> normal = body.motion.to.rotation.col(2);
+  if (density == 0 || hidden(point, point - distance * normal)) return;
   sample.value += density;
-  sample.gradient += body.motion.to.rotation.col(2) * slope;
+  sample.gradient += normal * slope;
 }
 
 template <class Real>
@@ -214,9 +231,13 @@ WallSample<Real> WallDensity<Real>::at(const Vec3<Real>& point) const {
     const auto& body = colliders_.spheres[k];
     const Vec3<Real> out = point - body.motion.to.position;
     const Real distance = out.norm();
-    const auto [density, slope] = spheres_[k].at(distance - body.shape.reach + radius_);
+    const Real gap = distance - body.shape.reach + radius_;
+    const auto [density, slope] = spheres_[k].at(gap);
+    if (density == 0 || distance == 0) continue;
+    const Vec3<Real> normal = out / distance;
+    if (hidden(point, point - gap * normal)) continue;
     sample.value += density;
-    if (distance > 0) sample.gradient += out * (slope / distance);
+    sample.gradient += normal * slope;
   }
   return sample;
 }

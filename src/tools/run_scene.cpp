@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <optional>
 #include <thread>
 
@@ -143,6 +144,12 @@ void printSummary(const Simulation& simulation, const RunRecord& record) {
       report.frame > 0 ? 1e3 * record.wall_time_s / double(report.frame) : 0.0,
       100 * record.density_error_mean, 100 * record.density_error_max, report.springs,
       report.rms_speed_m_s, report.asleep ? ", asleep" : "");
+  if (record.speed_limited > 0) {
+    std::fprintf(stderr,
+                 "run_scene: warning: solver.max_speed_m_s = %g slowed particles %llu times\n",
+                 simulation.scene().solver.max_speed_m_s,
+                 static_cast<unsigned long long>(record.speed_limited));
+  }
 }
 
 int runScene(const Options& options) {
@@ -177,6 +184,9 @@ int run(const Options& options) {
     return runScene(options);
   } catch (const InvalidInput& e) {
     std::fprintf(stderr, "run_scene: %s\n", e.what());
+    return kBadInput;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "run_scene: not enough memory; enlarge fluid.spacing_m\n");
     return kBadInput;
   }
 }

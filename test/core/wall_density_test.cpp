@@ -121,6 +121,27 @@ TEST(WallDensityTest, OpenTopHasNoLid) {
   EXPECT_NEAR(open.at({0.01, 0.02, 0.02}), closed.at({0.01, 0.02, 0.02}), 1e-14);
 }
 
+TEST(WallDensityTest, WhatIsBehindAWallOfTheContainerDoesNotCount) {
+  const Walls alone(tank(true));
+  Scene scene = tank(true);
+  scene.planes.emplace_back();
+  scene.spheres.emplace_back();
+  scene.spheres[0].position_m = {0.32, 0, 0.2};
+  const Walls grounded(scene);
+  const Walls ball_only([&] {
+    Scene inside = tank(true);
+    inside.spheres = scene.spheres;
+    inside.spheres[0].position_m = {0, 0, 0.2};
+    return inside;
+  }());
+  for (const double a : kDistances) {
+    EXPECT_EQ(grounded.at({0, 0, a}), alone.at({0, 0, a})) << "ground under the floor";
+    EXPECT_EQ(grounded.at({0.2 - a, 0, 0.2}), alone.at({0.2 - a, 0, 0.2})) << "ball outside";
+  }
+  EXPECT_GT(ball_only.at({0, 0, 0.325}), 0.1) << "a ball inside counts";
+  EXPECT_GT(grounded.at({1, 0, 0.025}), 0.1) << "the ground beside the tank counts";
+}
+
 TEST(WallDensityTest, BoxIsTheSameFromEverySide) {
   const Walls walls(tank(false));
   for (const double a : kDistances) {
