@@ -119,7 +119,7 @@ TEST(SimulatorTest, LiquidHasNoSpringsAndNoSpringStages) {
   const auto simulation = makeSimulation(fullTank(5), Precision::kFloat, 1);
   run(*simulation, 10);
   EXPECT_EQ(simulation->report().springs, 0u);
-  for (const char* stage : {"make_springs", "correct_springs", "damp_springs"}) {
+  for (const char* stage : {"make_springs", "correct_springs"}) {
     EXPECT_FALSE(holds(*simulation, stage)) << stage;
   }
 }
@@ -154,7 +154,7 @@ TEST(SimulatorTest, StagesAreThoseOfTheSceneInTheOrderOfAlgorithm1) {
   EXPECT_EQ(stageNames(*full),
             (std::vector<std::string>{"predict", "neighbours", "make_springs", "lambda", "delta_p",
                                       "collide", "correct_springs", "position", "velocity",
-                                      "viscosity", "damp_springs", "report"}));
+                                      "viscosity", "report"}));
   for (const StageStats& stage : full->stages()) EXPECT_GT(stage.calls, 0u) << stage.name;
 }
 

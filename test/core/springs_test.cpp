@@ -169,56 +169,5 @@ TEST(SpringsTest, RenumberFollowsASort) {
   }
 }
 
-TEST(SpringsTest, DampingConservesLinearAndAngularMomentumAndTakesEnergy) {
-  Cloud<double> cloud(test::randomPoints(300, Vec3d::Zero(), Vec3d::Constant(0.25), 55), 0.1);
-  SpringParams params;
-  params.damping = 0.5;
-  Springs<double> springs(params);
-  springs.make(cloud.particles, cloud.neighbours, 0.07);
-  springs.keep();
-  Particles<double>& p = cloud.particles;
-  test::Random random(56);
-  for (std::size_t i = 0; i < p.size(); ++i) p.velocity.set(i, random.direction());
-  const auto momenta = [&] {
-    Vec3d linear = Vec3d::Zero(), angular = Vec3d::Zero();
-    double energy = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      linear += p.velocity.at(i);
-      angular += p.position.at(i).cross(p.velocity.at(i));
-      energy += p.velocity.at(i).squaredNorm();
-    }
-    return std::make_tuple(linear, angular, energy);
-  };
-  const auto [linear, angular, energy] = momenta();
-  springs.damp(p.velocity, p.position);
-  const auto [linear_after, angular_after, energy_after] = momenta();
-  EXPECT_LT((linear_after - linear).norm(), 1e-12 * 300);
-  EXPECT_LT((angular_after - angular).norm(), 1e-12 * 300);
-  EXPECT_LT(energy_after, 0.9 * energy);
-}
-
-TEST(SpringsTest, SpringsOfFreezingWaterDoNotDamp) {
-  Dumbbell<double> bell{SpringParams()};
-  VectorField<double>& v = bell.cloud.particles.velocity;
-  v.set(0, {1, 0, 0});
-  bell.springs.damp(v, bell.cloud.particles.position);
-  EXPECT_EQ(v.x[0], 1);
-}
-
-TEST(SpringsTest, FullDampingStopsADumbbellAlongItsLineOnly) {
-  SpringParams params;
-  params.damping = 1.0;
-  Dumbbell<double> bell(params);
-  bell.springs.keep();
-  VectorField<double>& v = bell.cloud.particles.velocity;
-  v.set(0, {1, 2, 0});
-  v.set(1, {-3, 0, 5});
-  bell.springs.damp(v, bell.cloud.particles.position);
-  EXPECT_NEAR(v.x[0], -1, 1e-15);
-  EXPECT_NEAR(v.x[1], -1, 1e-15);
-  EXPECT_EQ(v.y[0], 2);
-  EXPECT_EQ(v.z[1], 5);
-}
-
 }  // namespace
 }  // namespace ice_ice_baby
