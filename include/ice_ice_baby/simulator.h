@@ -46,6 +46,7 @@ class Simulator final : public Simulation {
   Particles<Real>& particles() { return particles_; }
 
  private:
+  void runSubsteps();
   void substep(double dt_s);
   void applyForcesAndPredict(Real dt);
   void findNeighbours();
@@ -56,7 +57,7 @@ class Simulator final : public Simulation {
   void finishCollisions();
   void updateVelocityAndPosition(Real dt);
   void updateTemperature(double time_s);
-  void updateReport(double wall_s);
+  void updateReport();
   void updateSleep();
   void wake();
   void joinSheets();

@@ -38,43 +38,45 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
   }
   density_ = makeDensityConstraint<Real>(scene, walls_ ? &*walls_ : nullptr);
   if (scene.solver.viscosity_1_s > 0.0) viscosity_.emplace(scene, volume_m3(scene));
+  updateTemperature(0.0);
   arena_.execute([&] {
     findNeighbours();
     joinSheets();
     density_->computeLambda(particles_, neighbours_);
-    updateTemperature(0.0);
-    updateReport(0.0);
+    updateReport();
   });
 }
 
 template <class Real>
 const StepReport& Simulator<Real>::advanceFrame() {
   const auto start = std::chrono::steady_clock::now();
-  const int substeps = scene_.solver.substeps;
-  const double dt_s = 1.0 / (scene_.solver.frame_rate_hz * substeps);
-  report_.speed_limited = 0;
   ++report_.frame;
   report_.time_s = double(report_.frame) / scene_.solver.frame_rate_hz;
+  report_.speed_limited = 0;
   updateTemperature(report_.time_s);
-  arena_.execute([&] {
-    if (!report_.asleep) {
-      for (int k = 0; k < substeps; ++k) {
-        if (colliders_moving_) {
-          colliders_.setSubstep(double(k) / substeps, double(k + 1) / substeps);
-        }
-        substep(dt_s);
-      }
-    }
-    if (colliders_moving_) {
-      colliders_.endFrame();
-      colliders_.setSubstep(1.0, 1.0);
-      colliders_moving_ = false;
-    }
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-    report_clock_.run([&] { updateReport(wall.count()); });
-    updateSleep();
-  });
+  if (!report_.asleep) {
+    arena_.execute([&] {
+      runSubsteps();
+      report_clock_.run([&] { updateReport(); });
+      updateSleep();
+    });
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  report_.frame_wall_s = wall.count();
   return report_;
+}
+
+template <class Real>
+void Simulator<Real>::runSubsteps() {
+  const int substeps = scene_.solver.substeps;
+  for (int k = 0; k < substeps; ++k) {
+    if (colliders_moving_) colliders_.setSubstep(double(k) / substeps, double(k + 1) / substeps);
+    substep(1.0 / (scene_.solver.frame_rate_hz * substeps));
+  }
+  if (!colliders_moving_) return;
+  colliders_.endFrame();
+  colliders_.setSubstep(1.0, 1.0);
+  colliders_moving_ = false;
 }
 
 /// Algorithm 1 of the paper, line by line.
@@ -193,9 +195,13 @@ void Simulator<Real>::updateTemperature(double time_s) {
   const double before = strictness_;
   strictness_ = temperature_.strictness();
   if (strictness_ != before) wake();
-  if (strictness_ >= 1.0 || !springs_) return;
-  springs_->melt();
-  if (springs_->empty()) springs_.reset();
+  if (strictness_ < 1.0 && springs_) {
+    springs_->melt();
+    if (strictness_ == 0.0 && springs_->empty()) springs_.reset();
+  }
+  report_.temperature_c = temperature_.celsius();
+  report_.strictness = strictness_;
+  report_.springs = springs_ ? springs_->size() : 0;
 }
 
 template <class Real>
@@ -219,6 +225,7 @@ void Simulator<Real>::updateSleep() {
   for (auto* axis : {&particles_.velocity.x, &particles_.velocity.y, &particles_.velocity.z}) {
     std::fill(axis->begin(), axis->end(), Real(0));
   }
+  updateReport();
 }
 
 template <class Real>
@@ -232,9 +239,6 @@ void Simulator<Real>::setTemperature(double celsius, double ramp_s) {
   requireTemperature(celsius, ramp_s);
   temperature_.set(celsius, ramp_s);
   updateTemperature(report_.time_s);
-  report_.temperature_c = temperature_.celsius();
-  report_.strictness = strictness_;
-  report_.springs = springs_ ? springs_->size() : 0;
 }
 
 template <class Real>

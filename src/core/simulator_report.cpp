@@ -40,7 +40,7 @@ Simulation::DensityError densityError(const std::vector<Real>& density) {
 }  // namespace
 
 template <class Real>
-void Simulator<Real>::updateReport(double wall_s) {
+void Simulator<Real>::updateReport() {
   const std::size_t n = particles_.size();
   const double mass = particleMass_kg(scene_.fluid, scene_.supportRadius_m());
   double squares = 0.0, heights = 0.0, fastest = 0.0;
@@ -53,15 +53,12 @@ void Simulator<Real>::updateReport(double wall_s) {
   const DensityError error = densityError(density_->density());
   report_.particles = n;
   report_.springs = springs_ ? springs_->size() : 0;
-  report_.temperature_c = temperature_.celsius();
-  report_.strictness = strictness_;
   report_.density_error_mean = error.mean;
   report_.density_error_max = error.max;
   report_.kinetic_energy_j = 0.5 * mass * squares;
   report_.potential_energy_j = mass * heights;
   report_.max_speed_m_s = std::sqrt(fastest);
   report_.rms_speed_m_s = n > 0 ? std::sqrt(squares / double(n)) : 0.0;
-  report_.frame_wall_s = wall_s;
 }
 
 template <class Real>
