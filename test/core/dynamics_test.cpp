@@ -77,6 +77,31 @@ TEST(WaterTest, AnOverfullContainerReportsItsErrorAndLosesNothing) {
   EXPECT_GT(simulation->measureDensityError().mean, 0.1);
 }
 
+TEST(IceTest, ComesToRestSleepsAndWakes) {
+  Scene scene = fullTank(6, true);
+  scene.containers[0].size_m.z() = 0.6;
+  scene.blocks[0].min_m.z() = 0.05;
+  scene.blocks[0].max_m.z() = 0.35;
+  scene.schedule = {{0.2, -10, 0.3}};
+  const auto simulation = makeSimulation(scene);
+  for (int k = 0; k < 600 && !simulation->report().asleep; ++k) simulation->advanceFrame();
+  ASSERT_TRUE(simulation->report().asleep);
+  const std::uint64_t frozen = simulation->stateHash();
+  run(*simulation, 20);
+  EXPECT_EQ(simulation->stateHash(), frozen) << "what sleeps does not move";
+
+  simulation->setGravity({0, 0, 9.81});
+  run(*simulation, 5);
+  EXPECT_FALSE(simulation->report().asleep);
+  EXPECT_NE(simulation->stateHash(), frozen);
+
+  simulation->setGravity({0, 0, -9.81});
+  simulation->setTemperature(20, 0);
+  run(*simulation, 30);
+  EXPECT_EQ(simulation->report().springs, 0u);
+  EXPECT_FALSE(simulation->report().asleep);
+}
+
 TEST(IceTest, AFrozenBlockKeepsItsShapeInFreeFlight) {
   Scene scene = test::floatingCube(5);
   scene.temperature.initial_c = -10;
