@@ -19,7 +19,7 @@ start_simulation() {
   start "$1/simulation.log" roslaunch -p "${ROS_MASTER_URI##*:}" \
     ice_ice_baby demo.launch rviz:=false paused:=true scene:="$2"
   SIMULATION=$!
-  await 40 "the node (see $1/simulation.log)" rosservice info "$NODE/get_state"
+  await 40 "the node (see $1/simulation.log)" rosservice type "$NODE/get_state"
 }
 
 # start_view LOG_DIR SIZE: rviz, until it really receives particles. It draws few frames a second, so
