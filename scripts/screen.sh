@@ -25,7 +25,7 @@ start_simulation() {
 # start_view LOG_DIR SIZE: rviz, until it really receives particles. It draws few frames a second, so
 # that drawing by software leaves the processor to the simulation.
 start_view() {
-  sed -e 's/Frame Rate: .*/Frame Rate: 6/' -e "s/^  Width: .*/  Width: ${2%x*}/" \
+  sed -e 's/Frame Rate: .*/Frame Rate: 10/' -e "s/^  Width: .*/  Width: ${2%x*}/" \
     -e "s/^  Height: .*/  Height: ${2#*x}/" "$ROOT/config/rviz/ice_ice_baby.rviz" >"$1/view.rviz"
   start "$1/rviz.log" rviz -d "$1/view.rviz" __name:=demo_view
   await 60 "rviz (see $1/rviz.log)" bash -c "rostopic info $NODE/particles | grep -q demo_view"
@@ -62,7 +62,7 @@ await_simulated() {
 # start_film FILE SIZE LOG: films the screen in the background until stop_film.
 start_film() {
   FILM_BEGAN=$SECONDS
-  start "$3" ffmpeg -y -loglevel warning -f x11grab -draw_mouse 0 -framerate 6 -video_size "$2" \
+  start "$3" ffmpeg -y -loglevel warning -f x11grab -draw_mouse 0 -framerate 10 -video_size "$2" \
     -i "$DISPLAY" -c:v libx264 -preset ultrafast -crf 12 "$1"
   FILM=$!
 }
