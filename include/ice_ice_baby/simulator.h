@@ -75,6 +75,7 @@ class Simulator final : public Simulation {
   std::unique_ptr<DensityConstraint<Real>> density_;
   std::optional<Springs<Real>> springs_;
   std::optional<Viscosity<Real>> viscosity_;
+  std::optional<WallDensity<Real>> yardstick_walls_;  ///< of measureDensityError, once it is asked
 
   StageClock predict_clock_{"predict"};
   StageClock neighbours_clock_{"neighbours"};

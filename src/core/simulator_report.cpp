@@ -101,23 +101,24 @@ template <class Real>
 Simulation::DensityError Simulator<Real>::measureDensityError() {
   const Real h = static_cast<Real>(2 * scene_.fluid.spacing_m);
   const CubicSpline<Real> kernel(h);
-  Scene yardstick = scene_;
-  yardstick.fluid.kernel = KernelPair::kCubic;
-  yardstick.fluid.support_radius_m = 0.0;
   const double volume = 1.0 / latticeSum(CubicSpline<double>(h), scene_.fluid.spacing_m, true);
-  const WallDensity<Real> walls(yardstick, colliders_, volume);
+  if (!yardstick_walls_) {
+    Scene yardstick = scene_;
+    yardstick.fluid.kernel = KernelPair::kCubic;
+    yardstick.fluid.support_radius_m = 0.0;
+    yardstick_walls_.emplace(yardstick, colliders_, volume);
+  }
   std::vector<Real> density(particles_.size());
   arena_.execute([&] {
     Neighbours<Real> fresh(h, 0);
     VectorField<Real> sorted = particles_.position;
-    const std::vector<Index>& order = fresh.sortOrder(particles_.position);
-    for (std::size_t k = 0; k < order.size(); ++k) sorted.set(k, particles_.position.at(order[k]));
+    permute(sorted, fresh.sortOrder(particles_.position));
     fresh.build(sorted);
     parallelFor(sorted.size(), [&](std::size_t i) {
       const Vec3<Real> xi = sorted.at(i);
       Real sum = kernel.w(0);
       for (const Index j : fresh.of(i)) sum += kernel.w((xi - sorted.at(j)).norm());
-      density[i] = static_cast<Real>(volume) * sum + walls.at(xi).value;
+      density[i] = static_cast<Real>(volume) * sum + yardstick_walls_->at(xi).value;
     });
   });
   return densityError(density);
