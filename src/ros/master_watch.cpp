@@ -3,6 +3,7 @@
 #include <XmlRpc.h>
 #include <ros/connection_manager.h>
 #include <ros/console.h>
+#include <ros/init.h>
 #include <ros/master.h>
 #include <ros/network.h>
 #include <ros/service_manager.h>
@@ -71,9 +72,13 @@ void registerSubscribers() {
   }
 }
 
-void registerServices(const std::vector<std::string>& names) {
-  const std::string uri = "rosrpc://" + ros::network::getHost() + ":" +
-                          std::to_string(ros::ConnectionManager::instance()->getTCPPort());
+/// Where the process offers its services.
+std::string serviceUri() {
+  return "rosrpc://" + ros::network::getHost() + ":" +
+         std::to_string(ros::ConnectionManager::instance()->getTCPPort());
+}
+
+void registerServices(const std::vector<std::string>& names, const std::string& uri) {
   XmlRpcValue payload;
   for (const std::string& name : names) {
     if (!ros::ServiceManager::instance()->lookupServicePublication(name)) continue;
@@ -84,7 +89,10 @@ void registerServices(const std::vector<std::string>& names) {
 }  // namespace
 
 MasterWatch::MasterWatch(std::vector<std::string> services, std::function<void()> also)
-    : services_(std::move(services)), also_(std::move(also)), thread_([this] { run(); }) {}
+    : services_(std::move(services)),
+      also_(std::move(also)),
+      service_uri_(serviceUri()),
+      thread_([this] { run(); }) {}
 
 MasterWatch::~MasterWatch() {
   {
@@ -114,23 +122,26 @@ bool MasterWatch::waitFor2s() {
   return !changed_.wait_for(lock, std::chrono::seconds(2), [this] { return stopping_; });
 }
 
-/// Whether the master answers, and answers that nobody offers the service.
+/// Whether the master answers, and answers that nobody offers the service, though this node does:
+/// one that shuts down takes its services back itself.
 bool MasterWatch::forgotten() const {
   XmlRpcValue response, payload;
   const XmlRpcValue request = requestOf({services_.front()});
   if (ros::master::execute("lookupService", request, response, payload, false)) return false;
   return response.getType() == XmlRpcValue::TypeArray && response.size() > 0 &&
-         response[0].getType() == XmlRpcValue::TypeInt && ros::master::check();
+         response[0].getType() == XmlRpcValue::TypeInt && ros::master::check() &&
+         !ros::isShuttingDown();
 }
 
 void MasterWatch::registerAgain() const {
   ROS_WARN("The ROS master has forgotten this node, as after a restart; registering again");
   registerPublishers();
   registerSubscribers();
-  registerServices(services_);
+  registerServices(services_, service_uri_);
   const std::string node = ros::this_node::getName();
   registerServices({node + "/get_loggers", node + "/set_logger_level", node + "/load_nodelet",
-                    node + "/unload_nodelet", node + "/list"});
+                    node + "/unload_nodelet", node + "/list"},
+                   service_uri_);
 }
 
 }  // namespace ice_ice_baby

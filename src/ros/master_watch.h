@@ -27,6 +27,7 @@ class MasterWatch {
 
   const std::vector<std::string> services_;
   const std::function<void()> also_;
+  const std::string service_uri_;
   std::mutex mutex_;
   std::condition_variable changed_;
   bool stopping_ = false;

@@ -2,7 +2,6 @@
 
 #include <ros/console.h>
 #include <ros/init.h>
-#include <ros/master.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -30,16 +29,6 @@ void endAtOnce(int) { _exit(EXIT_SUCCESS); }
 
 void endInOrder(int) { ros::requestShutdown(); }
 
-/// @returns whether the master answered before the process was asked to end
-bool waitForMaster() {
-  while (ros::ok() && !ros::master::check()) {
-    ROS_WARN_THROTTLE(10.0, "Waiting for the ROS master at %s; start roscore",
-                      ros::master::getURI().c_str());
-    ros::WallDuration(0.2).sleep();
-  }
-  return ros::ok();
-}
-
 }  // namespace
 
 int runNode(int argc, char** argv) {
@@ -59,9 +48,9 @@ int runNode(int argc, char** argv) {
     std::cerr << "Unknown argument \"" << argv[1] << "\".\n" << kUsage;
     return EXIT_FAILURE;
   }
-  ros::start();  // which takes over SIGINT
+  ros::start();  // takes over SIGINT, and waits for the master
   std::signal(SIGTERM, endInOrder);
-  if (!waitForMaster()) return EXIT_SUCCESS;
+  if (!ros::ok()) return EXIT_SUCCESS;
   std::unique_ptr<SimulationNode> node;
   try {
     node = std::make_unique<SimulationNode>(ros::NodeHandle(), ros::NodeHandle("~"));

@@ -14,8 +14,11 @@ from harness import Node
 
 
 class Slow(unittest.TestCase):
-    def test_services_do_not_wait_for_the_solver(self):
+    @classmethod
+    def setUpClass(cls):
         rospy.init_node('slow_test')
+
+    def test_services_do_not_wait_for_the_solver(self):
         node = Node()
         state = node.when(lambda s: s.frame >= 1, 'a frame', 60.0)
         self.assertGreater(state.particles, 200000)
