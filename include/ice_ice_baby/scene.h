@@ -88,7 +88,7 @@ Eigen::Array<std::int64_t, 3, 1> latticeSize(const Block& block, double spacing_
 /// Particles that the scene spawns.
 std::int64_t particleCount(const Scene& scene);
 
-/// Refuses what no single key shows to be wrong: no room in memory, freezing above onset, a kernel
+/// Refuses a value out of its range, and what no single key shows to be wrong: no room in memory, freezing above onset, a kernel
 /// that reaches too few or too many neighbours, a set of constants that cannot be a fluid.
 /// @throws InvalidInput
 void validate(const Scene& scene);

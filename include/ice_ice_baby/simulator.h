@@ -50,6 +50,7 @@ class Simulator final : public Simulation {
   void substep(double dt_s);
   void applyForcesAndPredict(Real dt);
   void findNeighbours();
+  void separateCoincident();
   void makeSprings();
   void correctSprings(double dt_s);
   void respondToCollisions();
@@ -76,6 +77,8 @@ class Simulator final : public Simulation {
   std::optional<Springs<Real>> springs_;
   std::optional<Viscosity<Real>> viscosity_;
   std::optional<WallDensity<Real>> yardstick_walls_;  ///< of measureDensityError, once it is asked
+
+  std::vector<char> aside_;  ///< (n) scratch of separateCoincident
 
   StageClock predict_clock_{"predict"};
   StageClock neighbours_clock_{"neighbours"};

@@ -1,9 +1,11 @@
 #include "ice_ice_baby/scene.h"
 
 #include <cmath>
+#include <type_traits>
 
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/kernels.h"
+#include "ice_ice_baby/scene_keys.h"
 
 namespace ice_ice_baby {
 
@@ -12,6 +14,36 @@ namespace {
 constexpr double kPaperSupportRadius_m = 0.03;
 constexpr double kPaperSpacing_m = 0.0211;
 constexpr double kPaperEpsilon_1_m2 = 0.1;
+
+/// Visitor of describe(): holds every number to its range, for scenes that no file was read for.
+class RangeCheck {
+ public:
+  explicit RangeCheck(std::string path) : path_(std::move(path)) {}
+
+  template <class Number>
+  void operator()(const char* name, Number& value, Range range, const char*) const {
+    if constexpr (std::is_same_v<Number, Vec3d>) {
+      for (const double part : value) requireInRange(path_ + name, part, range.min, range.max);
+    } else {
+      requireInRange(path_ + name, value, range.min, range.max);
+    }
+  }
+  template <class Other>
+  void operator()(const char*, Other&, const char*) const {}
+  template <class Params>
+  void section(const char* name, Params& params, const char*) const {
+    describe(params, RangeCheck(path_ + name + "."));
+  }
+  template <class Item>
+  void list(const char* name, std::vector<Item>& items, const char*) const {
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      describe(items[k], RangeCheck(path_ + name + "." + std::to_string(k) + "."));
+    }
+  }
+
+ private:
+  std::string path_;
+};
 
 void requireFluid(const Scene& scene) {
   const double h = scene.supportRadius_m();
@@ -67,6 +99,8 @@ std::int64_t particleCount(const Scene& scene) {
 }
 
 void validate(const Scene& scene) {
+  Scene described = scene;
+  describe(described, RangeCheck(""));
   const double d = scene.fluid.spacing_m;
   requireInRange("fluid.support_radius_m / fluid.spacing_m", scene.supportRadius_m() / d, 1.05,
                  4.0);

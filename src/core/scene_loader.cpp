@@ -31,6 +31,12 @@ std::vector<std::string> splitKey(const std::string& key) {
   std::vector<std::string> parts;
   std::stringstream stream(key);
   for (std::string part; std::getline(stream, part, '.');) parts.push_back(part);
+  const bool empty_part = std::find(parts.begin(), parts.end(), "") != parts.end();
+  if (parts.empty() || empty_part || key.back() == '.') {
+    throw InvalidInput("\"" + key +
+                       "\" is not a key: give names between single dots, as "
+                       "solver.iterations");
+  }
   return parts;
 }
 
@@ -67,7 +73,8 @@ void setKey(YAML::Node node, const std::vector<std::string>& parts, std::size_t 
   }
   if (!node[part].IsDefined() || node[part].IsNull()) {
     if (isIndex(parts[depth + 1])) {
-      throw InvalidInput(change.key + ": the scene has no " + part);
+      throw InvalidInput(change.key + ": the scene itself sets no " + part +
+                         " to change a part of; set all of it, as " + part + "=[...]");
     }
     node[part] = YAML::Node(YAML::NodeType::Map);
   }
@@ -146,7 +153,6 @@ Scene parseScene(const std::string& yaml, const std::vector<Override>& overrides
   try {
     for (const Override& change : overrides) {
       const std::vector<std::string> parts = splitKey(change.key);
-      if (parts.empty()) throw InvalidInput("an override needs a key, as solver.iterations");
       setKey(tree, parts, 0, change);
     }
     return readScene(tree, origin);

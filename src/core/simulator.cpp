@@ -16,18 +16,27 @@ namespace {
 /// half.
 constexpr double kSkin = 0.3;
 
+const int kAllThreads = tbb::this_task_arena::max_concurrency();
+
 double volume_m3(const Scene& scene) {
   return particleMass_kg(scene.fluid, scene.supportRadius_m()) / scene.fluid.rest_density_kg_m3;
 }
 
-bool still(const Vec3d& a, const Vec3d& b) { return (a - b).squaredNorm() == 0.0; }
+/// Unit vector that depends on the id alone, spread evenly over the sphere (golden angle spiral).
+template <class Real>
+Vec3<Real> directionOf(std::uint32_t id) {
+  const double z = 1.0 - 2.0 * ((id * 2654435761u >> 8) + 0.5) / (1 << 24);
+  const double angle = 2.399963229728653 * id;
+  const double radius = std::sqrt(1.0 - z * z);
+  return Vec3d(radius * std::cos(angle), radius * std::sin(angle), z).template cast<Real>();
+}
 
 }  // namespace
 
 template <class Real>
 Simulator<Real>::Simulator(const Scene& scene, int threads)
     : scene_(scene),
-      arena_(threads > 0 ? threads : tbb::task_arena::automatic),
+      arena_(std::min(threads > 0 ? threads : kAllThreads, kAllThreads)),
       particles_(spawnParticles<Real>(scene, spawns_)),
       temperature_(scene),
       colliders_(scene, scene.fluid.spacing_m / 2),
@@ -119,6 +128,25 @@ void Simulator<Real>::findNeighbours() {
   particles_.reorder(order);
   if (springs_) springs_->renumber(order);
   neighbours_.build(particles_.predicted);
+  separateCoincident();
+}
+
+/// Two particles at one point have no direction in which to part, so all but the first of them are
+/// put a hundredth of a spacing aside, each in a direction of its own.
+template <class Real>
+void Simulator<Real>::separateCoincident() {
+  const VectorField<Real>& x = particles_.predicted;
+  aside_.assign(particles_.size(), false);
+  parallelFor(particles_.size(), [&](std::size_t i) {
+    for (const Index j : neighbours_.of(i)) {
+      if (x.x[j] != x.x[i] || x.at(j) != x.at(i)) continue;
+      if (particles_.id[j] < particles_.id[i]) aside_[i] = true;
+    }
+  });
+  const Real distance = static_cast<Real>(0.01 * scene_.fluid.spacing_m);
+  for (Index i = 0; i < particles_.size(); ++i) {
+    if (aside_[i]) particles_.predicted.add(i, distance * directionOf<Real>(particles_.id[i]));
+  }
 }
 
 template <class Real>
@@ -232,53 +260,6 @@ template <class Real>
 void Simulator<Real>::wake() {
   report_.asleep = false;
   still_s_ = 0.0;
-}
-
-template <class Real>
-void Simulator<Real>::setTemperature(double celsius, double ramp_s) {
-  requireTemperature(celsius, ramp_s);
-  temperature_.set(celsius, ramp_s);
-  updateTemperature(report_.time_s);
-}
-
-template <class Real>
-void Simulator<Real>::setGravity(const Vec3d& gravity_m_s2) {
-  requireGravity(gravity_m_s2);
-  if (still(gravity_m_s2, scene_.gravity_m_s2)) return;
-  scene_.gravity_m_s2 = gravity_m_s2;
-  wake();
-}
-
-template <class Real>
-void Simulator<Real>::moveCollider(const std::string& name, const Posed& pose) {
-  const Posed now = colliders_.pose(name);
-  for (int axis = 0; axis < 3; ++axis) {
-    requireInRange("position of collider " + name, pose.position[axis], kCoordinateRange_m.min,
-                   kCoordinateRange_m.max);
-  }
-  // A mirror is unitary too, but its determinant is -1.
-  const auto& turn = pose.rotation;
-  if (!turn.allFinite() || !turn.isUnitary(1e-6) || turn.determinant() < 0.0) {
-    throw InvalidInput("rotation of collider " + name + " must be a unit quaternion");
-  }
-  const bool there = still(now.position, pose.position) && now.rotation == pose.rotation;
-  if (there && !colliders_moving_) return;
-  colliders_.moveTo(name, pose);
-  colliders_moving_ = true;
-  wake();
-}
-
-void requireTemperature(double celsius, double ramp_s) {
-  requireInRange("temperature in degrees Celsius", celsius, kTemperatureRange_c.min,
-                 kTemperatureRange_c.max);
-  requireInRange("ramp in seconds", ramp_s, 0.0, 1e6);
-}
-
-void requireGravity(const Vec3d& gravity_m_s2) {
-  for (int axis = 0; axis < 3; ++axis) {
-    requireInRange("gravity in m/s^2", gravity_m_s2[axis], kGravityRange_m_s2.min,
-                   kGravityRange_m_s2.max);
-  }
 }
 
 std::unique_ptr<Simulation> makeSimulation(const Scene& scene, Precision precision, int threads) {

@@ -48,6 +48,11 @@ std::string instability(const RunRecord& record, const StepReport& report) {
   return "";
 }
 
+void requireWritable(const std::string& path) {
+  std::ofstream file(path);
+  if (!file) throw InvalidInput("cannot write the report to " + path);
+}
+
 void writeReport(const std::string& path, const Simulation& simulation, const RunRecord& record) {
   const StepReport& report = simulation.report();
   nlohmann::ordered_json json;

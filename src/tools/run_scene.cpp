@@ -108,7 +108,7 @@ std::string note(const StepReport& report, const RunRecord& record) {
 RunRecord runFrames(Simulation& simulation, const Options& options, double duration_s) {
   const Scene& scene = simulation.scene();
   const auto frames =
-      static_cast<std::size_t>(std::llround(duration_s * scene.solver.frame_rate_hz));
+      static_cast<std::size_t>(std::ceil(duration_s * scene.solver.frame_rate_hz - 1e-9));
   const double every = std::max(1.0, scene.solver.frame_rate_hz / options.frames_hz);
   std::unique_ptr<FrameWriter> pictures;
   if (!options.frames.empty()) pictures = std::make_unique<FrameWriter>(options.frames, scene);
@@ -157,6 +157,7 @@ int runScene(const Options& options) {
   const double duration = options.duration_s.value_or(scene.duration_s);
   requireInRange("--duration", duration, 0.0, 1e6);
   requireInRange("--frames-hz", options.frames_hz, 1e-3, 1e4);
+  if (!options.report.empty()) requireWritable(options.report);
   const auto simulation = makeSimulation(scene, parsePrecision(options.precision), options.threads);
   RunRecord record = runFrames(*simulation, options, duration);
   record.precision = options.precision;

@@ -151,7 +151,9 @@ TEST(OverrideTest, RefusesWhatIsNotThere) {
   expectRefusal(yaml, {"iterationss"}, {{"solver.iterationss", "3"}});
   expectRefusal(yaml, {"solver.iterations"}, {{"solver.iterations", "[1"}});
   expectRefusal(yaml, {"solver.iterations"}, {{"solver.iterations", ""}});
-  expectRefusal(yaml, {"origin"}, {{".", "3"}});
+  for (const char* key : {".", "solver.iterations.", "solver..iterations", ".solver"}) {
+    expectRefusal(yaml, {key, "is not a key"}, {{key, "3"}});
+  }
 }
 
 TEST(OverrideTest, TextIsKeyEqualsValue) {

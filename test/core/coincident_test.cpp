@@ -1,0 +1,61 @@
+// Particles at one and the same point: spawned twice, or clamped into the same corner.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <set>
+
+#include "fixtures.h"
+#include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/simulation.h"
+
+namespace ice_ice_baby {
+namespace {
+
+std::size_t countDuplicates(const Simulation& simulation) {
+  std::vector<ParticleSample> samples;
+  simulation.sample(samples);
+  std::set<std::array<float, 3>> places;
+  for (const ParticleSample& s : samples) places.insert({s.x, s.y, s.z});
+  return samples.size() - places.size();
+}
+
+TEST(CoincidentTest, ABlockSpawnedTwicePartsAndFindsItsDensity) {
+  Scene scene = test::splash();
+  scene.blocks.push_back(scene.blocks.front());
+  const auto simulation = makeSimulation(scene);
+  ASSERT_EQ(simulation->report().particles, 2 * countDuplicates(*simulation));
+  for (int frame = 0; frame < 120; ++frame) simulation->advanceFrame();
+  EXPECT_EQ(countDuplicates(*simulation), 0U);
+  EXPECT_LT(simulation->measureDensityError().mean, 0.02);
+}
+
+TEST(CoincidentTest, PartingIsTheSameInEveryRun) {
+  Scene scene = test::splash();
+  scene.blocks.push_back(scene.blocks.front());
+  const auto hashAfter = [&](int threads) {
+    const auto simulation = makeSimulation(scene, Precision::kFloat, threads);
+    for (int frame = 0; frame < 10; ++frame) simulation->advanceFrame();
+    return simulation->stateHash();
+  };
+  EXPECT_EQ(hashAfter(1), hashAfter(2));
+}
+
+TEST(ValidateTest, AnOutOfRangeMemberOfASceneBuiltInCodeIsRefusedByName) {
+  Scene scene = test::splash();
+  scene.solver.substeps = 0;
+  try {
+    makeSimulation(scene);
+    FAIL() << "substeps = 0 was accepted";
+  } catch (const InvalidInput& e) {
+    EXPECT_NE(std::string(e.what()).find("solver.substeps = 0"), std::string::npos) << e.what();
+  }
+  scene = test::splash();
+  scene.gravity_m_s2.y() = std::nan("");
+  EXPECT_THROW(makeSimulation(scene), InvalidInput);
+  scene = test::splash();
+  scene.blocks[0].velocity_m_s.x() = 1e9;
+  EXPECT_THROW(makeSimulation(scene), InvalidInput);
+}
+
+}  // namespace
+}  // namespace ice_ice_baby
