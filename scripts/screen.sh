@@ -77,7 +77,7 @@ stop_film() {
 # make_gif FILM GIF WIDTH SECONDS [CROP]: a GIF that runs SECONDS, however long the film took.
 make_gif() {
   local filter="${5:+crop=$5,}setpts=PTS*$4/$FILM_SECONDS,fps=10,scale=$3:-1:flags=lanczos"
-  filter+=",split[a][b];[a]palettegen=max_colors=96:stats_mode=diff[p]"
+  filter+=",split[a][b];[a]palettegen=max_colors=160:stats_mode=diff[p]"
   filter+=";[b][p]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle"
   quietly ffmpeg -y -loglevel warning -i "$1" -vf "$filter" "$2"
 }
