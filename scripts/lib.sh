@@ -2,6 +2,9 @@
 # What the scripts share. Source it; it runs nothing by itself.
 # shellcheck disable=SC2034  # the variables are for those who source this
 
+# A failure inside $(...) is a failure.
+shopt -s inherit_errexit
+
 ROOT="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 NODE=/ice_ice_baby
 CHILDREN=()
