@@ -15,7 +15,7 @@ constexpr std::size_t kMaxListEntries = 1000;
 /// Visitor of describe(): reads one map of the tree into the described struct.
 class Reader {
  public:
-  Reader(YAML::Node map, std::string path) : map_(std::move(map)), path_(std::move(path)) {
+  Reader(const YAML::Node& map, std::string path) : map_(map), path_(std::move(path)) {
     if (map_.IsDefined() && !map_.IsNull() && !map_.IsMap()) {
       throw InvalidInput(path_ + " must be a map of keys");
     }

@@ -63,7 +63,7 @@ void FrameWriter::frameScene(const Scene& scene) {
 FrameWriter::Projected FrameWriter::project(const Eigen::Vector3f& point) const {
   const Eigen::Vector3f seen = camera_ * (point - eye_);
   const float scale = focal_px_ / std::max(seen.z(), 1e-3f);
-  return {kWidth / 2 + seen.x() * scale, kHeight / 2 + seen.y() * scale, seen.z(), scale};
+  return {0.5f * kWidth + seen.x() * scale, 0.5f * kHeight + seen.y() * scale, seen.z(), scale};
 }
 
 void FrameWriter::blend(int x, int y, float depth, Color color, float opacity) {
