@@ -22,11 +22,12 @@ void RatedTopic::advertise(ros::NodeHandle& node, const std::string& name, bool 
       ros::SubscriberStatusCallback(), ros::VoidConstPtr(), latch);
 }
 
-bool RatedTopic::due(bool news, bool last) {
+bool RatedTopic::due(bool news, bool last, bool repeat) {
   if (publisher_.getNumSubscribers() == 0) return false;
   const bool urgent = new_subscriber_.exchange(false) || (news && last);
   const WallClock::time_point now = WallClock::now();
-  if (!news && !urgent && now - gate_.latest() < std::chrono::seconds(1)) return false;
+  const bool old = repeat && now - gate_.latest() > std::chrono::seconds(1);
+  if (!news && !urgent && !old) return false;
   return gate_.pass(now, urgent);
 }
 
@@ -76,7 +77,8 @@ void Topics::publish(const Simulation& simulation, const Snapshot& snapshot, con
   news_.colliders = news_.colliders || colliders_moved;
   if (particles_.due(news_.particles, settled)) publishParticles(simulation, header(stamp));
   const bool springs = snapshot.report.springs > 0 || drawn_springs_ > 0;
-  if (springs_.due(news_.springs && springs, settled)) publishSprings(simulation, header(stamp));
+  if (springs_.due(news_.springs && springs, settled, springs))
+    publishSprings(simulation, header(stamp));
   if (news_.colliders && colliders_.due(true, settled)) {
     news_.colliders = false;
     colliders_.publish(colliderMarkers(simulation, header(stamp)));

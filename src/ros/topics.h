@@ -27,7 +27,8 @@ class RatedTopic {
   /// Whether to build a message: somebody subscribes, and either there is news and the rate allows
   /// it, or the subscriber is new, or the last message is a second old.
   /// @param news since the last message @param last of its kind for a while, so it must go out
-  bool due(bool news, bool last);
+  /// @param repeat whether what is a second old goes out again without news
+  bool due(bool news, bool last, bool repeat = true);
 
   template <class Message>
   void publish(const Message& message);

@@ -144,6 +144,14 @@ class Interface(unittest.TestCase):
         self.assertGreater(after['/sim/particles'], before['/sim/particles'])
         self.assertEqual(after['/sim/springs'], before['/sim/springs'])
 
+    def test_water_has_no_springs_to_build_messages_of(self):
+        with Latest('/sim/springs', MarkerArray) as arrays:
+            first = arrays.wait()  # clears what an earlier run may have drawn
+            self.assertEqual([m.action for m in first.markers], [Marker.DELETEALL])
+            self.node.run_frames(30)
+            time.sleep(1.5)
+            self.assertEqual(len(arrays.messages), 1)
+
     # Services
 
     def test_set_temperature_freezes_and_melts(self):
