@@ -64,16 +64,4 @@ inline Posed poseOf(const geometry_msgs::Transform& message) {
   return pose;
 }
 
-/// Rz(yaw) Ry(pitch) Rx(roll), as REP 103 and the scene files have it.
-inline Posed poseOf(const Vec3d& position_m, const Vec3d& rpy_deg) {
-  const Vec3d rpy = rpy_deg * (M_PI / 180.0);
-  Posed pose;
-  pose.position = position_m;
-  pose.rotation =
-      (Eigen::AngleAxisd(rpy.z(), Vec3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Vec3d::UnitY()) *
-       Eigen::AngleAxisd(rpy.x(), Vec3d::UnitX()))
-          .toRotationMatrix();
-  return pose;
-}
-
 }  // namespace ice_ice_baby

@@ -1,6 +1,7 @@
 #include "parameters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "ice_ice_baby/errors.h"
@@ -103,10 +104,10 @@ class Reader {
 class TableWriter {
  public:
   void operator()(const char* name, double& value, Range range, const char* meaning) {
-    row(name, numberText(value), rangeText(range), meaning);
+    row(name, plain(value), rangeText(range), meaning);
   }
   void operator()(const char* name, int& value, Range range, const char* meaning) {
-    row(name, numberText(value), rangeText(range), meaning);
+    row(name, plain(value), rangeText(range), meaning);
   }
   void operator()(const char* name, Vec3d& value, Range range, const char* meaning) {
     row(name,
@@ -136,8 +137,11 @@ class TableWriter {
   }
 
  private:
-  static std::string rangeText(Range range) {
-    return numberText(range.min) + " to " + numberText(range.max);
+  static std::string rangeText(Range range) { return plain(range.min) + " to " + plain(range.max); }
+
+  /// Whole numbers without an exponent.
+  static std::string plain(double value) {
+    return value == std::round(value) ? std::to_string(std::lround(value)) : numberText(value);
   }
 
   /// Unit by the ending of the name, which carries it.
