@@ -17,6 +17,9 @@ struct Block {
   bool sheet = false;
 };
 
+/// Pose whose rotation is Rz(yaw) Ry(pitch) Rx(roll), as REP 103 has it.
+Posed poseOf(const Vec3d& position_m, const Vec3d& rpy_deg);
+
 /// What containers, planes and spheres share.
 struct Collider {
   std::string name;
@@ -26,8 +29,8 @@ struct Collider {
   double opacity = 0.2;
   std::string follow_frame;
 
-  /// Pose in the scene frame; rotation is Rz(yaw) Ry(pitch) Rx(roll).
-  Posed pose() const;
+  /// Pose in the scene frame.
+  Posed pose() const { return poseOf(position_m, rpy_deg); }
 };
 
 /// Box that holds water: `position_m` is the centre of its inner floor, `size_m` its inner size.
@@ -88,8 +91,9 @@ Eigen::Array<std::int64_t, 3, 1> latticeSize(const Block& block, double spacing_
 /// Particles that the scene spawns.
 std::int64_t particleCount(const Scene& scene);
 
-/// Refuses a value out of its range, and what no single key shows to be wrong: no room in memory, freezing above onset, a kernel
-/// that reaches too few or too many neighbours, a set of constants that cannot be a fluid.
+/// Refuses a value out of its range, and what no single key shows to be wrong: no room in memory,
+/// freezing above onset, a kernel that reaches too few or too many neighbours, a set of constants
+/// that cannot be a fluid.
 /// @throws InvalidInput
 void validate(const Scene& scene);
 

@@ -64,7 +64,7 @@ void requireFluid(const Scene& scene) {
 
 }  // namespace
 
-Posed Collider::pose() const {
+Posed poseOf(const Vec3d& position_m, const Vec3d& rpy_deg) {
   const Vec3d rpy = rpy_deg * (M_PI / 180.0);
   Posed pose;
   pose.position = position_m;
