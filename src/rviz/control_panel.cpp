@@ -1,5 +1,7 @@
 #include "control_panel.h"
 
+#include <rviz/visualization_manager.h>
+
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QFormLayout>
@@ -16,6 +18,7 @@
 
 #include "state_view.h"
 #include "temperature_control.h"
+#include "water_opacity.h"
 
 Q_DECLARE_METATYPE(ice_ice_baby::Answer)
 Q_DECLARE_METATYPE(ice_ice_baby::State)
@@ -170,6 +173,8 @@ void ControlPanel::showAnswer(const Answer& answer) {
            answer.success);
 }
 
+void ControlPanel::onInitialize() { displays_ = vis_manager_->getRootDisplayGroup(); }
+
 void ControlPanel::showState(const State& state) {
   since_state_.start();
   paused_ = state.paused;
@@ -177,6 +182,10 @@ void ControlPanel::showState(const State& state) {
   step_->setEnabled(paused_);
   state_view_->show(state);
   temperature_->showInForce(state.temperature);
+  if (displays_ != nullptr) {
+    showOpacity(displays_, node_->text().toStdString() + "/particles",
+                waterOpacity(state.strictness));
+  }
   if (target_ && std::abs(state.temperature - *target_) < ARRIVED_C) target_.reset();
   if (!target_) temperature_->showTarget(state.temperature);
   if (scene_->view()->isVisible()) return;
