@@ -100,6 +100,7 @@ void Simulator<Real>::substep(double dt_s) {
     lambda_clock_.run([&] { density_->computeLambda(particles_, neighbours_); });
     delta_p_clock_.run([&] { density_->computeDeltaP(particles_, neighbours_); });
     if (!colliders_.empty()) collide_clock_.run([&] { respondToCollisions(); });
+    // The paper corrects x* before its update, the default after: doc/algorithm.md says why.
     if (!scene_.springs.correct_updated) correctSprings(dt_s);
     position_clock_.run([&] { updatePredicted(); });
     if (scene_.springs.correct_updated) correctSprings(dt_s);
