@@ -20,7 +20,7 @@ std::string otherClock() {
   for (int k = 0; k < publishers.size(); ++k) {
     if (std::string(publishers[k][0]) != kClock) continue;
     for (int n = 0; n < publishers[k][1].size(); ++n) {
-      const std::string name = publishers[k][1][n];
+      std::string name = publishers[k][1][n];
       if (name != ros::this_node::getName()) return name;
     }
   }

@@ -138,7 +138,7 @@ void MasterWatch::registerAgain() const {
   registerPublishers();
   registerSubscribers();
   registerServices(services_, service_uri_);
-  const std::string node = ros::this_node::getName();
+  const std::string& node = ros::this_node::getName();
   registerServices({node + "/get_loggers", node + "/set_logger_level", node + "/load_nodelet",
                     node + "/unload_nodelet", node + "/list"},
                    service_uri_);

@@ -19,7 +19,7 @@ NodeParameters parametersOf(const ros::NodeHandle& node) {
 
 }  // namespace
 
-SimulationNode::SimulationNode(ros::NodeHandle node, ros::NodeHandle node_private)
+SimulationNode::SimulationNode(const ros::NodeHandle& node, const ros::NodeHandle& node_private)
     : node_(served(node, queue_)),
       private_(served(node_private, queue_)),
       parameters_(parametersOf(private_)),

@@ -20,7 +20,7 @@ class SimulationNode {
  public:
   /// Reads the private parameters, builds the scene and serves it.
   /// @throws InvalidInput naming the parameter or the key, the value and what is allowed
-  SimulationNode(ros::NodeHandle node, ros::NodeHandle node_private);
+  SimulationNode(const ros::NodeHandle& node, const ros::NodeHandle& node_private);
 
   /// Ends the simulation after the frame under way. @returns whether it ended within `patience_s`
   bool stop(double patience_s) { return simulation_.stop(patience_s); }

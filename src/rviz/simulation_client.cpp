@@ -151,7 +151,7 @@ void SimulationClient::reset(const std::string& scene, const std::string& preset
 void SimulationClient::refresh() {
   enqueue([this](const std::string& node) {
     GetState service;
-    const Answer answer = call(node, "get_state", service);
+    Answer answer = call(node, "get_state", service);
     if (answer.success) {
       callbacks_.scenes(service.response.scenes);
       callbacks_.state(service.response.state);
