@@ -17,11 +17,19 @@ class InvalidInput : public std::runtime_error {
 /// "1.5", "1e-06": the shortest text that reads back as the same number.
 std::string numberText(double value);
 
+/// The text, cut at 100 characters and at a NUL, for a message that echoes what somebody sent.
+std::string shortened(const std::string& text);
+
 /// "a, b, c"
 std::string joined(const std::vector<std::string>& words);
 
 /// The entry of `known` that a mistyped `word` most likely meant, or "" when none is near.
 std::string nearest(const std::string& word, const std::vector<std::string>& known);
+
+/// How a message on an unknown word goes on: "; did you mean KNOWN? Allowed: A, B", each known word
+/// behind `prefix`, the list without it.
+std::string suggestion(const std::string& word, const std::vector<std::string>& known,
+                       const std::string& prefix = "");
 
 /// Throws InvalidInput unless `value` is finite and within [min, max].
 void requireInRange(const std::string& thing, double value, double min, double max);

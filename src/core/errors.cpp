@@ -9,8 +9,14 @@ namespace ice_ice_baby {
 
 std::string numberText(double value) {
   char text[32];
-  const auto result = std::to_chars(text, text + sizeof text, value);
+  const auto result = std::to_chars(text, text + sizeof text, value + 0.0);  // no "-0"
   return std::string(text, result.ptr);
+}
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kMost = 100;
+  const std::string whole(text.c_str());
+  return whole.size() <= kMost ? whole : whole.substr(0, kMost) + "...";
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -49,6 +55,13 @@ std::string nearest(const std::string& word, const std::vector<std::string>& kno
     }
   }
   return best;
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& known,
+                       const std::string& prefix) {
+  const std::string meant = nearest(word, known);
+  if (meant.empty()) return "; allowed: " + joined(known);
+  return "; did you mean " + prefix + meant + "? Allowed: " + joined(known);
 }
 
 void requireInRange(const std::string& thing, double value, double min, double max) {

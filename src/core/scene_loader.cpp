@@ -135,10 +135,8 @@ Scene loadScene(const std::string& name_or_path, const std::vector<Override>& ov
   }
   const std::vector<std::string> names = sceneNames();
   if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
-    const std::string meant = nearest(name_or_path, names);
-    throw InvalidInput("no scene \"" + name_or_path + "\"" +
-                       (meant.empty() ? "" : "; did you mean " + meant + "?") +
-                       " Scenes: " + joined(names) + "; or give the path of a .yaml file");
+    throw InvalidInput("no scene \"" + shortened(name_or_path) + "\"" +
+                       suggestion(name_or_path, names) + "; or the path of a .yaml file");
   }
   const fs::path path = fs::path(sceneFolder()) / (name_or_path + ".yaml");
   return parseScene(readFile(path), overrides, name_or_path);

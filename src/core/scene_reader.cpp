@@ -103,10 +103,7 @@ class Reader {
     for (const auto& entry : map_) {
       const std::string name = text(entry.first);
       if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-      const std::string meant = nearest(name, known_);
-      throw InvalidInput("unknown key " + keyPath(name) +
-                         (meant.empty() ? "" : "; did you mean " + keyPath(meant) + "?") +
-                         " Keys allowed here: " + joined(known_));
+      throw InvalidInput("unknown key " + keyPath(name) + suggestion(name, known_, keyPath("")));
     }
   }
 
@@ -123,10 +120,10 @@ class Reader {
   }
 
   static std::string text(const YAML::Node& node) {
-    if (node.IsScalar()) return node.Scalar();
+    if (node.IsScalar()) return shortened(node.Scalar());
     YAML::Emitter out;
     out << YAML::Flow << node;
-    return out.c_str();
+    return shortened(out.c_str());
   }
 
   static double number(const YAML::Node& node, const std::string& key, Range range) {

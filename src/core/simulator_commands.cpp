@@ -52,8 +52,8 @@ void requireTemperature(double celsius, double ramp_s) {
 
 void requireGravity(const Vec3d& gravity_m_s2) {
   for (int axis = 0; axis < 3; ++axis) {
-    requireInRange("gravity in m/s^2", gravity_m_s2[axis], kGravityRange_m_s2.min,
-                   kGravityRange_m_s2.max);
+    requireInRange(std::string("gravity ") + "xyz"[axis] + " in m/s^2", gravity_m_s2[axis],
+                   kGravityRange_m_s2.min, kGravityRange_m_s2.max);
   }
 }
 

@@ -74,10 +74,7 @@ class Reader {
     for (auto entry = tree_.begin(); entry != tree_.end(); ++entry) {
       const std::string& name = entry->first;
       if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-      const std::string meant = nearest(name, known_);
-      throw InvalidInput("unknown parameter ~" + name +
-                         (meant.empty() ? "" : "; did you mean ~" + meant + "?") +
-                         " Parameters: " + joined(known_));
+      throw InvalidInput("unknown parameter ~" + name + suggestion(name, known_, "~"));
     }
   }
 
@@ -190,7 +187,12 @@ NodeParameters readParameters(const XmlRpcValue& tree) {
 
 std::vector<Override> overridesFor(const NodeParameters& parameters, const std::string& preset) {
   std::vector<Override> all = parameters.overrides;
-  if (!preset.empty()) all.push_back({"preset", "\"" + preset + "\""});
+  if (preset.empty()) return all;
+  const std::vector<std::string> presets = choices(Preset());
+  if (std::find(presets.begin(), presets.end(), preset) == presets.end()) {
+    throw InvalidInput("preset = \"" + shortened(preset) + "\" must be one of: " + joined(presets));
+  }
+  all.push_back({"preset", preset});
   return all;
 }
 

@@ -28,10 +28,7 @@ bool answer(Response& response, const Work& work) {
 void requireSceneName(const std::string& name) {
   const std::vector<std::string> names = sceneNames();
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  const std::string meant = nearest(name, names);
-  throw InvalidInput("no scene \"" + name + "\"" +
-                     (meant.empty() ? "" : "; did you mean " + meant + "?") +
-                     " Names that reset takes: " + joined(names));
+  throw InvalidInput("no scene \"" + shortened(name) + "\"" + suggestion(name, names));
 }
 
 }  // namespace
@@ -88,8 +85,8 @@ bool Services::reset(Reset::Request& request, Reset::Response& response) {
     const std::string name = request.scene.empty() ? scene_ : request.scene;
     const std::string preset = request.preset.empty() ? parameters_.preset : request.preset;
     const Scene scene = loadScene(name, overridesFor(parameters_, preset));
-    frames_.prepare(scene);
     simulation_.reset(scene);
+    frames_.prepare(scene);  // only now: a refused reset leaves the running scene its tf
     scene_ = name;
     response.particles = static_cast<std::uint32_t>(particleCount(scene));
     return "scene " + scene.name + " from the start";

@@ -42,7 +42,7 @@ TEST(SceneRefusalTest, UnknownKeysGetASuggestion) {
   expectRefusal("solver: {iteration: 4}", {"unknown key solver.iteration", "solver.iterations"});
   expectRefusal("gravity: [0, 0, -1]", {"unknown key gravity", "gravity_m_s2"});
   expectRefusal("spheres: [{radius: 1}]", {"spheres.0.radius", "radius_m"});
-  expectRefusal("zzzzqqqq: 1", {"unknown key zzzzqqqq", "Keys allowed"});
+  expectRefusal("zzzzqqqq: 1", {"unknown key zzzzqqqq", "allowed: name, "});
 }
 
 TEST(SceneRefusalTest, ValuesOutOfRangeNameTheRange) {
@@ -154,6 +154,18 @@ TEST(OverrideTest, RefusesWhatIsNotThere) {
   for (const char* key : {".", "solver.iterations.", "solver..iterations", ".solver"}) {
     expectRefusal(yaml, {key, "is not a key"}, {{key, "3"}});
   }
+}
+
+TEST(MessageTest, EchoesNoMoreThanAHundredCharacters) {
+  try {
+    loadScene(std::string(100000, 'x'));
+    FAIL() << "no such scene";
+  } catch (const InvalidInput& e) {
+    EXPECT_LT(std::string(e.what()).size(), 500U);
+    EXPECT_NE(std::string(e.what()).find("dam_break"), std::string::npos) << e.what();
+  }
+  EXPECT_EQ(shortened(std::string("paper\0x", 7)), "paper");
+  EXPECT_EQ(numberText(-0.0), "0");
 }
 
 TEST(OverrideTest, TextIsKeyEqualsValue) {
