@@ -19,6 +19,12 @@ constexpr int kHeight = 600;
 constexpr std::size_t kMaxSprings = 20000;
 constexpr float kFar = std::numeric_limits<float>::max();
 
+/// frame_00000.png: five digits, as write() names them.
+bool isFrame(const std::string& name) {
+  return name.size() == 15 && name.rfind("frame_", 0) == 0 && name.substr(11) == ".png" &&
+         name.find_first_not_of("0123456789", 6) == 11;
+}
+
 Eigen::Vector3f boxCorner(const Container& c, int k) {
   const Eigen::Vector3f half(float(c.size_m.x()) / 2, float(c.size_m.y()) / 2, float(c.size_m.z()));
   return {k & 1 ? half.x() : -half.x(), k & 2 ? half.y() : -half.y(), k & 4 ? half.z() : 0.0f};
@@ -31,6 +37,9 @@ FrameWriter::FrameWriter(std::string folder, const Scene& scene) : folder_(std::
   std::filesystem::create_directories(folder_, error);
   if (!std::filesystem::is_directory(folder_)) {
     throw InvalidInput("cannot make the folder " + folder_ + " for frames: " + error.message());
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    if (isFrame(entry.path().filename().string())) std::filesystem::remove(entry.path(), error);
   }
   frameScene(scene);
 }

@@ -10,7 +10,8 @@ namespace ice_ice_baby {
 
 class FrameWriter {
  public:
-  /// @param folder created when missing; frames are called frame_00000.png and so on
+  /// @param folder created when missing; frames are called frame_00000.png and so on, and frames of
+  /// an earlier run are removed, so that the folder shows one run
   /// @throws InvalidInput when the folder cannot be made
   FrameWriter(std::string folder, const Scene& scene);
 

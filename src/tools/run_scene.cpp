@@ -54,7 +54,8 @@ void describeOptions(CLI::App& app, Options& o) {
                  "key=value: any key of config/default.yaml by its dotted name")
       ->allow_extra_args(false);
   app.add_option("--report", o.report, "write a JSON report to this file");
-  app.add_option("--frames", o.frames, "write PNG pictures into this folder");
+  app.add_option("--frames", o.frames,
+                 "write PNG pictures into this folder, in place of those of an earlier run");
   app.add_option("--frames-hz", o.frames_hz, "pictures per simulated second (30)");
   app.add_flag("--profile", o.profile, "print what each stage cost");
   app.add_flag("--list", o.list, "print the scenes and what they show");

@@ -80,4 +80,7 @@ class Node:
             full = self.name[1:] + ': ' + name
             return [s for s in message.status if s.name == full and condition(s)]
         with Latest('/diagnostics', DiagnosticArray) as diagnostics:
-            return find(diagnostics.wait(find, 'the diagnostic ' + name, timeout_s))[0]
+            # Not only the latest message: another node's may always follow close behind.
+            def check():
+                return next((s for m in diagnostics.messages for s in find(m)), None)
+            return wait_until(check, 'the diagnostic ' + name, timeout_s)

@@ -119,6 +119,16 @@ class RunScene(unittest.TestCase):
         for file in files:
             self.assertEqual(file.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
+    def test_pictures_replace_those_of_an_earlier_run_and_nothing_else(self):
+        pictures = self.folder / "pictures"
+        pictures.mkdir()
+        for name in ("frame_00099.png", "frame_mine.png", "frame_000999.png"):
+            (pictures / name).write_text("old")
+        result = self.run_scene(self.scene, "--frames", pictures, "--duration", "0.01")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        names = {file.name for file in pictures.iterdir()}
+        self.assertEqual(names, {"frame_00000.png", "frame_mine.png", "frame_000999.png"})
+
     def test_profile_shows_the_stages(self):
         result = self.run_scene(self.scene, "--profile")
         self.assertIn("neighbours", result.stdout)
