@@ -1,7 +1,6 @@
 // The density constraint of position based fluids: paper Eq. 2-6, Macklin & Mueller 2013.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "ice_ice_baby/neighbours.h"
@@ -53,10 +52,5 @@ class DensityConstraint {
   VectorField<Real> delta_p_;        ///< (n) m; before that the sums of computeLambda
   VectorField<Real> wall_gradient_;  ///< (n) 1/m; empty without walls
 };
-
-/// @param walls density of colliders, or null where the scene has none or leaves it out
-template <class Real>
-std::unique_ptr<DensityConstraint<Real>> makeDensityConstraint(const Scene& scene,
-                                                               const WallDensity<Real>* walls);
 
 }  // namespace ice_ice_baby

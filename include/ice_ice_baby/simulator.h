@@ -73,7 +73,7 @@ class Simulator final : public Simulation {
   Colliders<Real> colliders_;
   std::optional<WallDensity<Real>> walls_;
   Neighbours<Real> neighbours_;
-  std::unique_ptr<DensityConstraint<Real>> density_;
+  std::optional<DensityConstraint<Real>> density_;
   std::optional<Springs<Real>> springs_;
   std::optional<Viscosity<Real>> viscosity_;
   std::optional<WallDensity<Real>> yardstick_walls_;  ///< of measureDensityError, once it is asked

@@ -94,17 +94,7 @@ std::size_t DensityConstraint<Real>::bytes() const {
          wall_gradient_.bytes() + positions_.bytes();
 }
 
-template <class Real>
-std::unique_ptr<DensityConstraint<Real>> makeDensityConstraint(const Scene& scene,
-                                                               const WallDensity<Real>* walls) {
-  return std::make_unique<DensityConstraint<Real>>(scene, walls);
-}
-
 template class DensityConstraint<float>;
 template class DensityConstraint<double>;
-template std::unique_ptr<DensityConstraint<float>> makeDensityConstraint(const Scene&,
-                                                                         const WallDensity<float>*);
-template std::unique_ptr<DensityConstraint<double>> makeDensityConstraint(
-    const Scene&, const WallDensity<double>*);
 
 }  // namespace ice_ice_baby

@@ -45,7 +45,7 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
   if (scene.fluid.wall_density && !colliders_.empty()) {
     walls_.emplace(scene, colliders_, volume_m3(scene));
   }
-  density_ = makeDensityConstraint<Real>(scene, walls_ ? &*walls_ : nullptr);
+  density_.emplace(scene, walls_ ? &*walls_ : nullptr);
   if (scene.solver.viscosity_1_s > 0.0) viscosity_.emplace(scene, volume_m3(scene));
   updateTemperature(0.0);
   arena_.execute([&] {

@@ -63,7 +63,7 @@ struct BruteForce {
 template <class Real>
 std::unique_ptr<DensityConstraint<Real>> solved(const Scene& scene, const Cloud<Real>& cloud,
                                                 const WallDensity<Real>* walls = nullptr) {
-  auto constraint = makeDensityConstraint<Real>(scene, walls);
+  auto constraint = std::make_unique<DensityConstraint<Real>>(scene, walls);
   constraint->computeLambda(cloud.particles, cloud.neighbours);
   constraint->computeDeltaP(cloud.particles, cloud.neighbours);
   return constraint;
@@ -228,7 +228,7 @@ TYPED_TEST(DensityConstraintTest, CoincidentAndNearlyCoincidentParticlesStayFini
 
 TYPED_TEST(DensityConstraintTest, SolvesAgainForFewerParticles) {
   const Scene scene = sceneOf(KernelPair::kCubic);
-  auto constraint = makeDensityConstraint<TypeParam>(scene, nullptr);
+  auto constraint = std::make_unique<DensityConstraint<TypeParam>>(scene, nullptr);
   for (const std::size_t count : {300u, 40u, 0u}) {
     const Cloud<TypeParam> cloud(test::randomPoints(count, Vec3d::Zero(), Vec3d::Constant(0.2), 25),
                                  0.1);
