@@ -118,4 +118,9 @@ inline double particleMass_kg(const FluidParams& fluid, double h) {
   return fluid.rest_density_kg_m3 / sum;
 }
 
+/// V = m / rho_0, the volume of a particle at rest.
+inline double particleVolume_m3(const FluidParams& fluid, double h) {
+  return particleMass_kg(fluid, h) / fluid.rest_density_kg_m3;
+}
+
 }  // namespace ice_ice_baby

@@ -66,6 +66,7 @@ class Simulator final : public Simulation {
   bool sticks() const { return frozen() && scene_.springs.stick_to_colliders; }
 
   Scene scene_;
+  double mass_kg_;  ///< of a particle
   tbb::task_arena arena_;
   std::vector<Spawn> spawns_;
   Particles<Real> particles_;

@@ -13,7 +13,7 @@ DensityConstraint<Real>::DensityConstraint(const Scene& scene, const WallDensity
     : walls_(walls), passes_(pairPasses<Real>(scene.fluid.kernel)) {
   const double h = scene.supportRadius_m();
   const FluidParams& fluid = scene.fluid;
-  const double volume = particleMass_kg(fluid, h) / fluid.rest_density_kg_m3;
+  const double volume = particleVolume_m3(fluid, h);
   support_ = static_cast<Real>(h);
   weight_scale_ = static_cast<Real>(volume * densityAtZero(fluid.kernel, h));
   gradient_scale_ = static_cast<Real>(volume * slopeAtHalf(fluid.kernel, h) / (h / 2));

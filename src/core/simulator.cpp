@@ -18,10 +18,6 @@ constexpr double kSkin = 0.3;
 
 const int kAllThreads = tbb::this_task_arena::max_concurrency();
 
-double volume_m3(const Scene& scene) {
-  return particleMass_kg(scene.fluid, scene.supportRadius_m()) / scene.fluid.rest_density_kg_m3;
-}
-
 /// Unit vector that depends on the id alone, spread evenly over the sphere (golden angle spiral).
 template <class Real>
 Vec3<Real> directionOf(std::uint32_t id) {
@@ -36,17 +32,19 @@ Vec3<Real> directionOf(std::uint32_t id) {
 template <class Real>
 Simulator<Real>::Simulator(const Scene& scene, int threads)
     : scene_(scene),
+      mass_kg_(particleMass_kg(scene.fluid, scene.supportRadius_m())),
       arena_(std::min(threads > 0 ? threads : kAllThreads, kAllThreads)),
       particles_(spawnParticles<Real>(scene, spawns_)),
       temperature_(scene),
       colliders_(scene, scene.fluid.spacing_m / 2),
       neighbours_(static_cast<Real>(scene.supportRadius_m()),
                   static_cast<Real>(kSkin * scene.fluid.spacing_m)) {
+  const double volume_m3 = particleVolume_m3(scene.fluid, scene.supportRadius_m());
   if (scene.fluid.wall_density && !colliders_.empty()) {
-    walls_.emplace(scene, colliders_, volume_m3(scene));
+    walls_.emplace(scene, colliders_, volume_m3);
   }
   density_.emplace(scene, walls_ ? &*walls_ : nullptr);
-  if (scene.solver.viscosity_1_s > 0.0) viscosity_.emplace(scene, volume_m3(scene));
+  if (scene.solver.viscosity_1_s > 0.0) viscosity_.emplace(scene, volume_m3);
   updateTemperature(0.0);
   arena_.execute([&] {
     findNeighbours();

@@ -42,7 +42,6 @@ Simulation::DensityError densityError(const std::vector<Real>& density) {
 template <class Real>
 void Simulator<Real>::updateReport() {
   const std::size_t n = particles_.size();
-  const double mass = particleMass_kg(scene_.fluid, scene_.supportRadius_m());
   double squares = 0.0, heights = 0.0, fastest = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const double square = particles_.velocity.at(i).template cast<double>().squaredNorm();
@@ -55,8 +54,8 @@ void Simulator<Real>::updateReport() {
   report_.springs = springs_ ? springs_->size() : 0;
   report_.density_error_mean = error.mean;
   report_.density_error_max = error.max;
-  report_.kinetic_energy_j = 0.5 * mass * squares;
-  report_.potential_energy_j = mass * heights;
+  report_.kinetic_energy_j = 0.5 * mass_kg_ * squares;
+  report_.potential_energy_j = mass_kg_ * heights;
   report_.max_speed_m_s = std::sqrt(fastest);
   report_.rms_speed_m_s = n > 0 ? std::sqrt(squares / double(n)) : 0.0;
 }
