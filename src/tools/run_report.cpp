@@ -48,9 +48,9 @@ std::string instability(const RunRecord& record, const StepReport& report) {
   return "";
 }
 
-void requireWritable(const std::string& path) {
+void requireWritable(const std::string& path, const std::string& what) {
   std::ofstream file(path);
-  if (!file) throw InvalidInput("cannot write the report to " + path);
+  if (!file) throw InvalidInput("cannot write the " + what + " to " + path);
 }
 
 void writeReport(const std::string& path, const Simulation& simulation, const RunRecord& record) {

@@ -30,9 +30,9 @@ struct RunRecord {
 /// Why the run counts as unstable, or "" when it does not.
 std::string instability(const RunRecord& record, const StepReport& report);
 
-/// Makes the file, so that a run does not end in a report that cannot be kept.
+/// Makes the file, so that a run does not end in a report that cannot be kept. `what` names it.
 /// @throws InvalidInput when it cannot be written
-void requireWritable(const std::string& path);
+void requireWritable(const std::string& path, const std::string& what);
 
 /// Writes the JSON report. @throws InvalidInput when the file cannot be written
 void writeReport(const std::string& path, const Simulation& simulation, const RunRecord& record);

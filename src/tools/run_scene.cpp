@@ -2,19 +2,17 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <memory>
 #include <new>
 #include <optional>
 #include <thread>
 
-#include "frame_writer.h"
+#include "frame_loop.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_loader.h"
-#include "progress_bar.h"
 #include "run_report.h"
+#include "series_writer.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -29,8 +27,8 @@ struct Options {
   std::string precision = "float";
   std::vector<std::string> overrides;
   std::string report;
-  std::string frames;
-  double frames_hz = 30.0;
+  std::string particles;
+  RunOutputs outputs;
   bool profile = false;
   bool list = false;
   bool defaults = false;
@@ -40,6 +38,7 @@ constexpr char kExamples[] = R"(Examples:
   run_scene dam_break --profile
   run_scene container_splash --duration 4 --frames /tmp/frames
   run_scene freeze_container --preset paper --report report.json
+  run_scene dam_break --series series.csv --particles last.csv
   run_scene my_scene.yaml --set solver.substeps=16 --set "gravity_m_s2=[0, 0, -1.62]"
 Exit code: 0 ran, 1 bad input, 2 became unstable.
 )";
@@ -54,9 +53,13 @@ void describeOptions(CLI::App& app, Options& o) {
                  "key=value: any key of config/default.yaml by its dotted name")
       ->allow_extra_args(false);
   app.add_option("--report", o.report, "write a JSON report to this file");
-  app.add_option("--frames", o.frames,
+  app.add_option("--series", o.outputs.series,
+                 "write the run over time to this file: CSV, a row per frame");
+  app.add_option("--particles", o.particles,
+                 "write the particles of the last frame to this file: CSV, a row per particle");
+  app.add_option("--frames", o.outputs.frames,
                  "write PNG pictures into this folder, in place of those of an earlier run");
-  app.add_option("--frames-hz", o.frames_hz, "pictures per simulated second (30)");
+  app.add_option("--frames-hz", o.outputs.frames_hz, "pictures per simulated second (30)");
   app.add_flag("--profile", o.profile, "print what each stage cost");
   app.add_flag("--list", o.list, "print the scenes and what they show");
   app.add_flag("--defaults", o.defaults, "print every key with its default, range and meaning");
@@ -75,63 +78,6 @@ Scene readScene(const Options& options) {
   if (!options.preset.empty()) overrides.push_back({"preset", options.preset});
   for (const std::string& text : options.overrides) overrides.push_back(parseOverride(text));
   return loadScene(options.scene, overrides);
-}
-
-/// Root mean square over the last half second, which also sees jitter that a single frame misses.
-class ResidualSpeed {
- public:
-  explicit ResidualSpeed(const Scene& scene)
-      : window_(static_cast<std::size_t>(std::max(1.0, 0.5 * scene.solver.frame_rate_hz))) {}
-
-  void add(double speed_m_s) {
-    squares_.push_back(speed_m_s * speed_m_s);
-    if (squares_.size() > window_) squares_.erase(squares_.begin());
-  }
-  double value() const {
-    double sum = 0.0;
-    for (const double square : squares_) sum += square;
-    return squares_.empty() ? 0.0 : std::sqrt(sum / double(squares_.size()));
-  }
-
- private:
-  std::size_t window_;
-  std::vector<double> squares_;
-};
-
-std::string note(const StepReport& report, const RunRecord& record) {
-  char text[128];
-  std::snprintf(text, sizeof text, "%.2f s, x%.2f real time, error %.3f %%, %.1f C", report.time_s,
-                record.realTimeFactor(report.time_s), 100 * report.density_error_mean,
-                report.temperature_c);
-  return text;
-}
-
-RunRecord runFrames(Simulation& simulation, const Options& options, double duration_s) {
-  const Scene& scene = simulation.scene();
-  const auto frames =
-      static_cast<std::size_t>(std::ceil(duration_s * scene.solver.frame_rate_hz - 1e-9));
-  const double every = std::max(1.0, scene.solver.frame_rate_hz / options.frames_hz);
-  std::unique_ptr<FrameWriter> pictures;
-  if (!options.frames.empty()) pictures = std::make_unique<FrameWriter>(options.frames, scene);
-  RunRecord record;
-  ResidualSpeed residual(scene);
-  ProgressBar bar(scene.name, frames);
-  double next_picture = 0.0;
-  for (std::size_t frame = 0; frame < frames; ++frame) {
-    if (pictures && double(frame) >= next_picture) {
-      pictures->write(simulation);
-      next_picture += every;
-    }
-    const StepReport& report = simulation.advanceFrame();
-    record.addFrame(report, simulation.measureDensityError());
-    record.steps += report.asleep ? 0 : std::uint64_t(scene.solver.substeps);
-    residual.add(report.rms_speed_m_s);
-    bar.show(frame + 1, note(report, record));
-    if (report.non_finite > 0) break;
-  }
-  record.escaped = simulation.countEscaped();
-  record.residual_speed_m_s = residual.value();
-  return record;
 }
 
 void printSummary(const Simulation& simulation, const RunRecord& record) {
@@ -157,15 +103,17 @@ int runScene(const Options& options) {
   const Scene scene = readScene(options);
   const double duration = options.duration_s.value_or(scene.duration_s);
   requireInRange("--duration", duration, 0.0, 1e6);
-  requireInRange("--frames-hz", options.frames_hz, 1e-3, 1e4);
-  if (!options.report.empty()) requireWritable(options.report);
+  requireInRange("--frames-hz", options.outputs.frames_hz, 1e-3, 1e4);
+  if (!options.report.empty()) requireWritable(options.report, "report");
+  if (!options.particles.empty()) requireWritable(options.particles, "particles");
   const auto simulation = makeSimulation(scene, parsePrecision(options.precision), options.threads);
-  RunRecord record = runFrames(*simulation, options, duration);
+  RunRecord record = runFrames(*simulation, options.outputs, duration);
   record.precision = options.precision;
   record.threads = options.threads > 0 ? options.threads : int(std::thread::hardware_concurrency());
   printSummary(*simulation, record);
   if (options.profile) std::printf("%s", profileTable(*simulation).c_str());
   if (!options.report.empty()) writeReport(options.report, *simulation, record);
+  if (!options.particles.empty()) writeParticles(options.particles, *simulation);
   const std::string why = instability(record, simulation->report());
   if (why.empty()) return kRan;
   std::fprintf(stderr, "run_scene: became unstable: %s\n", why.c_str());

@@ -1,4 +1,5 @@
 """Contract of run_scene: exit codes, one clear line for bad input, the report, the pictures."""
+import csv
 import json
 import os
 import pathlib
@@ -96,6 +97,8 @@ class RunScene(unittest.TestCase):
                  ([self.scene, "--duration", "-3"], "--duration"),
                  ([self.scene, "--frames-hz", "0"], "--frames-hz"),
                  ([self.scene, "--report", self.folder / "no" / "r.json"], "report"),
+                 ([self.scene, "--series", self.folder / "no" / "s.csv"], "series"),
+                 ([self.scene, "--particles", self.folder / "no" / "p.csv"], "particles"),
                  ([self.scene, "--frames", self.scene], "small.yaml")]
         for words, clue in cases:
             with self.subTest(words=words):
@@ -128,6 +131,50 @@ class RunScene(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         names = {file.name for file in pictures.iterdir()}
         self.assertEqual(names, {"frame_00000.png", "frame_mine.png", "frame_000999.png"})
+
+    def table(self, option, *words):
+        path = self.folder / "table.csv"
+        result = self.run_scene(self.scene, option, path, *words)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with path.open(newline="") as file:
+            return [{name: float(value) for name, value in row.items()}
+                    for row in csv.DictReader(file)]
+
+    def test_series_has_the_start_and_every_frame(self):
+        rows = self.table("--series")
+        self.assertEqual(len(rows), 7)
+        self.assertEqual((rows[0]["time_s"], rows[0]["wall_s"], rows[0]["rms_speed_m_s"]), (0, 0, 0))
+        self.assertAlmostEqual(rows[-1]["time_s"], 0.1)
+        for row in rows[1:]:
+            self.assertGreater(row["wall_s"], 0)
+            self.assertAlmostEqual(row["total_energy_j"],
+                                   row["kinetic_energy_j"] + row["potential_energy_j"])
+        for name in ("density_error_mean", "own_density_error_max", "temperature_c", "strictness",
+                     "springs"):
+            self.assertIn(name, rows[0])
+
+    def test_series_knows_where_the_water_is_and_how_it_falls(self):
+        rows = self.table("--series")
+        start, end = rows[0], rows[-1]
+        for axis, low, high in (("x", -0.125, 0.125), ("y", -0.125, 0.125), ("z", 0.075, 0.275)):
+            self.assertAlmostEqual(start[f"min_{axis}_m"], low, 6)
+            self.assertAlmostEqual(start[f"max_{axis}_m"], high, 6)
+            self.assertAlmostEqual(start[f"mean_{axis}_m"], (low + high) / 2, 6)
+        self.assertAlmostEqual(start["rms_x_m"], 0.05 * (35 / 12) ** 0.5, 6)  # of 6 places
+        mass_kg = start["potential_energy_j"] / (9.81 * start["mean_z_m"])
+        in_free_fall = rows[3]  # before the floor is reached
+        self.assertAlmostEqual(in_free_fall["momentum_z_kg_m_s"] / mass_kg, -9.81 * 0.05, 4)
+        self.assertAlmostEqual(in_free_fall["momentum_x_kg_m_s"] / mass_kg, 0, 4)
+        self.assertAlmostEqual(in_free_fall["angular_momentum_y_kg_m2_s"] / mass_kg, 0, 4)
+        self.assertLess(end["mean_z_m"], start["mean_z_m"])
+
+    def test_particles_are_those_of_the_last_frame_by_id(self):
+        rows = self.table("--particles", "--duration", 0.05)
+        self.assertEqual([row["id"] for row in rows], list(range(180)))
+        for row in rows:
+            self.assertAlmostEqual(row["vz"], -9.81 * 0.05, 3)
+            self.assertGreater(row["density"], 0)
+        self.assertAlmostEqual(rows[0]["x"], -0.125, 5)
 
     def test_profile_shows_the_stages(self):
         result = self.run_scene(self.scene, "--profile")

@@ -1,0 +1,82 @@
+#include "frame_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "frame_writer.h"
+#include "progress_bar.h"
+#include "series_writer.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Root mean square over the last half second, which also sees jitter that a single frame misses.
+class ResidualSpeed {
+ public:
+  explicit ResidualSpeed(const Scene& scene)
+      : window_(static_cast<std::size_t>(std::max(1.0, 0.5 * scene.solver.frame_rate_hz))) {}
+
+  void add(double speed_m_s) {
+    squares_.push_back(speed_m_s * speed_m_s);
+    if (squares_.size() > window_) squares_.erase(squares_.begin());
+  }
+  double value() const {
+    double sum = 0.0;
+    for (const double square : squares_) sum += square;
+    return squares_.empty() ? 0.0 : std::sqrt(sum / double(squares_.size()));
+  }
+
+ private:
+  std::size_t window_;
+  std::vector<double> squares_;
+};
+
+std::string note(const StepReport& report, const RunRecord& record) {
+  char text[128];
+  std::snprintf(text, sizeof text, "%.2f s, x%.2f real time, error %.3f %%, %.1f C", report.time_s,
+                record.realTimeFactor(report.time_s), 100 * report.density_error_mean,
+                report.temperature_c);
+  return text;
+}
+
+}  // namespace
+
+RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double duration_s) {
+  const Scene& scene = simulation.scene();
+  const auto frames =
+      static_cast<std::size_t>(std::ceil(duration_s * scene.solver.frame_rate_hz - 1e-9));
+  const double every = std::max(1.0, scene.solver.frame_rate_hz / outputs.frames_hz);
+  std::unique_ptr<FrameWriter> pictures;
+  if (!outputs.frames.empty()) pictures = std::make_unique<FrameWriter>(outputs.frames, scene);
+  std::optional<SeriesWriter> series;
+  if (!outputs.series.empty()) series.emplace(outputs.series);
+  if (series) series->write(simulation, simulation.measureDensityError());
+  RunRecord record;
+  ResidualSpeed residual(scene);
+  ProgressBar bar(scene.name, frames);
+  double next_picture = 0.0;
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    if (pictures && double(frame) >= next_picture) {
+      pictures->write(simulation);
+      next_picture += every;
+    }
+    const StepReport& report = simulation.advanceFrame();
+    const Simulation::DensityError error = simulation.measureDensityError();
+    record.addFrame(report, error);
+    if (series) series->write(simulation, error);
+    record.steps += report.asleep ? 0 : std::uint64_t(scene.solver.substeps);
+    residual.add(report.rms_speed_m_s);
+    bar.show(frame + 1, note(report, record));
+    if (report.non_finite > 0) break;
+  }
+  record.escaped = simulation.countEscaped();
+  record.residual_speed_m_s = residual.value();
+  return record;
+}
+
+}  // namespace ice_ice_baby

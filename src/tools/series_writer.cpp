@@ -1,0 +1,83 @@
+#include "series_writer.h"
+
+#include <charconv>
+
+#include "cloud_moments.h"
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+constexpr char kSeriesColumns[] =
+    "time_s,wall_s,density_error_mean,density_error_max,own_density_error_mean,"
+    "own_density_error_max,kinetic_energy_j,potential_energy_j,total_energy_j,rms_speed_m_s,"
+    "max_speed_m_s,min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,mean_x_m,mean_y_m,mean_z_m,"
+    "rms_x_m,rms_y_m,rms_z_m,momentum_x_kg_m_s,momentum_y_kg_m_s,momentum_z_kg_m_s,"
+    "angular_momentum_x_kg_m2_s,angular_momentum_y_kg_m2_s,angular_momentum_z_kg_m2_s,"
+    "temperature_c,strictness,springs\n";
+constexpr char kParticleColumns[] = "id,x,y,z,vx,vy,vz,density\n";
+
+void append(std::string& row, double value) { row += (row.empty() ? "" : ",") + numberText(value); }
+
+void append(std::string& row, const Vec3d& vector) {
+  for (const double part : vector) append(row, part);
+}
+
+/// The shortest text that reads back as the same float: "0.1", where its double has 17 digits.
+std::string floatText(float value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+void requireGood(const std::ofstream& file, const std::string& what, const std::string& path) {
+  if (!file) throw InvalidInput("cannot write the " + what + " to " + path);
+}
+
+}  // namespace
+
+SeriesWriter::SeriesWriter(std::string path) : path_(std::move(path)), file_(path_) {
+  file_ << kSeriesColumns << std::flush;
+  requireGood(file_, "series", path_);
+}
+
+void SeriesWriter::write(const Simulation& simulation, const Simulation::DensityError& error) {
+  const StepReport& report = simulation.report();
+  simulation.sample(particles_);
+  const CloudMoments moments = momentsOf(particles_, massOfParticle_kg(simulation.scene()));
+  std::string row;
+  for (const double value :
+       {report.time_s, report.frame_wall_s, error.mean, error.max, report.density_error_mean,
+        report.density_error_max, report.kinetic_energy_j, report.potential_energy_j,
+        report.kinetic_energy_j + report.potential_energy_j, report.rms_speed_m_s,
+        report.max_speed_m_s}) {
+    append(row, value);
+  }
+  for (const Vec3d& vector : {moments.min_m, moments.max_m, moments.mean_m, moments.rms_m,
+                              moments.momentum_kg_m_s, moments.angular_momentum_kg_m2_s}) {
+    append(row, vector);
+  }
+  append(row, report.temperature_c);
+  append(row, report.strictness);
+  append(row, double(report.springs));
+  file_ << row << "\n" << std::flush;  // a run that is stopped leaves every frame it finished
+  requireGood(file_, "series", path_);
+}
+
+void writeParticles(const std::string& path, const Simulation& simulation) {
+  std::vector<ParticleSample> particles;
+  simulation.sample(particles);
+  std::ofstream file(path);
+  file << kParticleColumns;
+  for (const ParticleSample& p : particles) {
+    std::string row = std::to_string(p.id);
+    for (const float value : {p.x, p.y, p.z, p.vx, p.vy, p.vz, p.density}) {
+      row += "," + floatText(value);
+    }
+    file << row << "\n";
+  }
+  file.close();
+  requireGood(file, "particles", path);
+}
+
+}  // namespace ice_ice_baby
