@@ -15,13 +15,27 @@ struct IndexRange {
 /// Particles in the three by three rows of cells, each three cells long, around a cell.
 using CellRows = std::array<IndexRange, 9>;
 
+/// Particles that may be near those of one cell, side by side, so that all of the cell scan them
+/// from the cache.
+template <class Real>
+struct Candidates {
+  std::vector<Real> x, y, z;  ///< m; from `count` to the next multiple of a vector: infinity
+  std::vector<Index> index;
+  std::size_t count = 0;
+};
+
 template <class Real>
 struct NearSearch {
-  /// Writes every j of the rows with |x_j - x_i|^2 < limit2 but i itself, in order, and up to a
-  /// vector (16 values) of anything behind the last. Returns the end.
+  /// Takes every particle of the rows that is nearer than the root of `limit2` to the box around
+  /// particles `cell`, in order.
   /// @param padded reaches a vector beyond the last particle
-  Index* (*collect)(const VectorField<Real>& padded, Index i, const CellRows& rows, Real limit2,
-                    Index* out);
+  void (*gather)(const VectorField<Real>& padded, IndexRange cell, const CellRows& rows,
+                 Real limit2, Candidates<Real>& out);
+  /// Writes every candidate j with |x_j - x_i|^2 < limit2 but i itself, in order, and up to a
+  /// vector (16 values) of anything behind the last. Returns the end.
+  /// @param coincident set if one of them lies exactly where i does
+  Index* (*collect)(const Candidates<Real>& candidates, const VectorField<Real>& padded, Index i,
+                    Real limit2, Index* out, bool& coincident);
   /// Whether every particle is within `limit` of where it was, but for a shift common to all.
   /// No, if one is not a finite number.
   bool (*allWithin)(const VectorField<Real>& now, const VectorField<Real>& before, Real limit);

@@ -52,6 +52,9 @@ class Neighbours {
   /// Lanes of the widest vectors in use, so that loops over a padded list need no remainder.
   static constexpr std::size_t kPadding = 16;
 
+  /// Whether the latest build found two particles at exactly one point.
+  bool coincident() const;
+
   std::size_t builds() const { return builds_; }
   std::size_t pairs() const;
   std::size_t bytes() const;
@@ -63,6 +66,7 @@ class Neighbours {
   /// allocate.
   struct Chunk {
     std::vector<Index> list;
+    bool coincident = false;
   };
   /// Particles first ... end of the next cell share this cell.
   struct Cell {
@@ -72,9 +76,9 @@ class Neighbours {
   std::uint64_t cellKey(const Vec3<Real>& point) const;
   void sortKeys(std::size_t count);
   void findCells();
-  IndexRange row(std::uint64_t centre_key, int dy, int dz) const;
+  class RowCursors;
   void buildChunk(std::size_t chunk);
-  Index buildList(std::size_t i, const CellRows& rows, Index begin, std::vector<Index>& list);
+  Index buildList(Index i, const Candidates<Real>& candidates, Index begin, Chunk& chunk);
 
   Real reach_;
   Real skin_;

@@ -1,5 +1,6 @@
 #include "ice_ice_baby/near_search.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "highway_targets.h"
@@ -31,36 +32,109 @@ HWY_INLINE hn::Mask<DIndex> indexMask(D d, DIndex d_index, hn::Mask<D> mask) {
   }
 }
 
+/// The other way round.
+template <class D, class DIndex>
+HWY_INLINE hn::Mask<D> realMask(D d, DIndex d_index, hn::Mask<DIndex> mask) {
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(Index)) {
+    return hn::RebindMask(d, mask);
+  } else {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d_index, mask, bits);
+    return hn::LoadMaskBits(d, bits);
+  }
+}
+
 template <class D>
 HWY_INLINE hn::Vec<D> squaredNorm(D, hn::Vec<D> x, hn::Vec<D> y, hn::Vec<D> z) {
   return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
 }
 
+/// Smallest box around particles of one cell, its sides as vectors.
+template <class D>
+struct Box {
+  hn::Vec<D> low, high;
+
+  template <class Real>
+  Box(D d, const std::vector<Real>& axis, IndexRange cell) {
+    const auto bounds = std::minmax_element(axis.begin() + cell.first, axis.begin() + cell.last);
+    low = hn::Set(d, *bounds.first);
+    high = hn::Set(d, *bounds.second);
+  }
+  /// How far beyond the box along its axis, 0 within.
+  HWY_INLINE hn::Vec<D> beyond(D d, hn::Vec<D> value) const {
+    return hn::Max(hn::Zero(d), hn::Max(hn::Sub(low, value), hn::Sub(value, high)));
+  }
+};
+
 template <class Real>
-Index* collect(const VectorField<Real>& padded, Index i, const CellRows& rows, Real limit2,
-               Index* out) {
+void makeRoom(const CellRows& rows, Candidates<Real>& out) {
+  std::size_t room = 2 * hn::MaxLanes(Lanes<Real>());
+  for (const IndexRange& row : rows) room += row.last - row.first;
+  if (out.index.size() >= room) return;
+  for (auto* axis : {&out.x, &out.y, &out.z}) axis->resize(2 * room);
+  out.index.resize(2 * room);
+}
+
+template <class Real>
+void gather(const VectorField<Real>& padded, IndexRange cell, const CellRows& rows, Real limit2,
+            Candidates<Real>& out) {
   const Lanes<Real> d;
   const hn::Rebind<Index, Lanes<Real>> d_index;
   constexpr Index kLanes = hn::MaxLanes(d);
-  const Real *x = padded.x.data(), *y = padded.y.data(), *z = padded.z.data();
-  const auto own_x = hn::Set(d, x[i]), own_y = hn::Set(d, y[i]), own_z = hn::Set(d, z[i]);
+  makeRoom(rows, out);
+  const Box<Lanes<Real>> box_x(d, padded.x, cell), box_y(d, padded.y, cell),
+      box_z(d, padded.z, cell);
   const auto limit = hn::Set(d, limit2);
-  const auto own = hn::Set(d_index, i);
+  std::size_t count = 0;
   for (const IndexRange& row : rows) {
     const auto last = hn::Set(d_index, row.last);
     for (Index j = row.first; j < row.last; j += kLanes) {
-      const auto r2 =
-          squaredNorm(d, hn::Sub(hn::LoadU(d, x + j), own_x), hn::Sub(hn::LoadU(d, y + j), own_y),
-                      hn::Sub(hn::LoadU(d, z + j), own_z));
+      const auto x = hn::LoadU(d, &padded.x[j]);
+      const auto y = hn::LoadU(d, &padded.y[j]);
+      const auto z = hn::LoadU(d, &padded.z[j]);
+      const auto r2 = squaredNorm(d, box_x.beyond(d, x), box_y.beyond(d, y), box_z.beyond(d, z));
       const auto indices = hn::Iota(d_index, j);
-      const auto other = hn::And(hn::Lt(indices, last), hn::Ne(indices, own));
-      const auto near = hn::And(other, indexMask(d, d_index, hn::Lt(r2, limit)));
+      const auto inside = hn::Lt(indices, last);
+      const auto near = hn::And(realMask(d, d_index, inside), hn::Lt(r2, limit));
       // Compressing in a register and storing all of it is many times faster on some processors
       // than storing compressed.
-      hn::StoreU(hn::Compress(indices, near), d_index, out);
-      out += hn::CountTrue(d_index, near);
+      hn::StoreU(hn::Compress(x, near), d, &out.x[count]);
+      hn::StoreU(hn::Compress(y, near), d, &out.y[count]);
+      hn::StoreU(hn::Compress(z, near), d, &out.z[count]);
+      hn::StoreU(hn::Compress(indices, indexMask(d, d_index, near)), d_index, &out.index[count]);
+      count += hn::CountTrue(d, near);
     }
   }
+  hn::StoreU(hn::Inf(d), d, &out.x[count]);
+  hn::StoreU(hn::Inf(d), d, &out.y[count]);
+  hn::StoreU(hn::Inf(d), d, &out.z[count]);
+  out.count = count;
+}
+
+template <class Real>
+Index* collect(const Candidates<Real>& candidates, const VectorField<Real>& padded, Index i,
+               Real limit2, Index* out, bool& coincident) {
+  const Lanes<Real> d;
+  const hn::Rebind<Index, Lanes<Real>> d_index;
+  const auto own_x = hn::Set(d, padded.x[i]);
+  const auto own_y = hn::Set(d, padded.y[i]);
+  const auto own_z = hn::Set(d, padded.z[i]);
+  const auto limit = hn::Set(d, limit2);
+  const auto own = hn::Set(d_index, i);
+  auto here = hn::Zero(d_index);
+  for (std::size_t k = 0; k < candidates.count; k += hn::MaxLanes(d)) {
+    const auto r2 = squaredNorm(d, hn::Sub(hn::LoadU(d, &candidates.x[k]), own_x),
+                                hn::Sub(hn::LoadU(d, &candidates.y[k]), own_y),
+                                hn::Sub(hn::LoadU(d, &candidates.z[k]), own_z));
+    const auto indices = hn::LoadU(d_index, &candidates.index[k]);
+    const auto other = hn::Ne(indices, own);
+    const auto near = hn::And(other, indexMask(d, d_index, hn::Lt(r2, limit)));
+    const auto same = hn::And(other, indexMask(d, d_index, hn::Eq(r2, hn::Zero(d))));
+    here = hn::Or(here, hn::VecFromMask(d_index, same));
+    hn::StoreU(hn::Compress(indices, near), d_index, out);
+    out += hn::CountTrue(d_index, near);
+  }
+  if (!hn::AllTrue(d_index, hn::Eq(here, hn::Zero(d_index)))) coincident = true;
   return out;
 }
 
@@ -112,8 +186,10 @@ bool allWithin(const VectorField<Real>& now, const VectorField<Real>& before, Re
   return allWithinLanes(hn::CappedTag<Real, 1>(), now, before, limit);
 }
 
-NearSearch<float> floatSearch() { return {&collect<float>, &allWithin<float>}; }
-NearSearch<double> doubleSearch() { return {&collect<double>, &allWithin<double>}; }
+NearSearch<float> floatSearch() { return {&gather<float>, &collect<float>, &allWithin<float>}; }
+NearSearch<double> doubleSearch() {
+  return {&gather<double>, &collect<double>, &allWithin<double>};
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace ice_ice_baby

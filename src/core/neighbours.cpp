@@ -88,46 +88,69 @@ void Neighbours<Real>::findCells() {
   cells_.push_back({~std::uint64_t(0), Index(keys_.size())});
 }
 
+/// Rows of cells around cells that come in ascending order: each row's place only moves on.
 template <class Real>
-IndexRange Neighbours<Real>::row(std::uint64_t centre_key, int dy, int dz) const {
-  const std::uint64_t middle =
-      centre_key +
-      static_cast<std::uint64_t>((std::int64_t(dz) << (2 * kBits)) + (std::int64_t(dy) << kBits));
-  const auto before = [](const Cell& cell, std::uint64_t key) { return cell.key < key; };
-  auto cell = std::lower_bound(cells_.begin(), cells_.end(), middle - 1, before);
-  const Index first = cell->first;
-  while (cell->key <= middle + 1) ++cell;
-  return {first, cell->first};
-}
+class Neighbours<Real>::RowCursors {
+ public:
+  RowCursors(const std::vector<Cell>& cells, std::uint64_t first_key) {
+    const auto before = [](const Cell& cell, std::uint64_t key) { return cell.key < key; };
+    for (int k = 0; k < 9; ++k) {
+      at_[std::size_t(k)] =
+          &*std::lower_bound(cells.begin(), cells.end(), middle(first_key, k) - 1, before);
+    }
+  }
+
+  CellRows rowsAround(std::uint64_t key) {
+    CellRows rows{};
+    for (int k = 0; k < 9; ++k) {
+      const std::uint64_t centre = middle(key, k);
+      const Cell*& cell = at_[std::size_t(k)];
+      while (cell->key < centre - 1) ++cell;
+      const Cell* end = cell;
+      while (end->key <= centre + 1) ++end;
+      rows[std::size_t(k)] = {cell->first, end->first};
+    }
+    return rows;
+  }
+
+ private:
+  /// Key of the middle cell of row k.
+  static std::uint64_t middle(std::uint64_t key, int k) {
+    const std::int64_t dy = k % 3 - 1, dz = k / 3 - 1;
+    return key + static_cast<std::uint64_t>(dz * (std::int64_t(1) << (2 * kBits)) +
+                                            dy * (std::int64_t(1) << kBits));
+  }
+
+  std::array<const Cell*, 9> at_;
+};
 
 template <class Real>
 void Neighbours<Real>::buildChunk(std::size_t chunk) {
-  std::vector<Index>& list = chunks_[chunk].list;
-  const std::size_t end = std::min((chunk + 1) * kChunk, keys_.size());
-  CellRows rows{};
-  std::uint64_t rows_key = 0;
+  thread_local Candidates<Real> candidates;
+  const Index end = static_cast<Index>(std::min((chunk + 1) * kChunk, keys_.size()));
+  Index i = static_cast<Index>(chunk * kChunk);
+  RowCursors cursors(cells_, keys_[i]);
   Index begin = 0;
-  for (std::size_t i = chunk * kChunk; i < end; ++i) {
-    if (keys_[i] != rows_key) {
-      rows_key = keys_[i];
-      for (int k = 0; k < 9; ++k) rows[std::size_t(k)] = row(rows_key, k % 3 - 1, k / 3 - 1);
-    }
-    begin = buildList(i, rows, begin, list);
+  chunks_[chunk].coincident = false;
+  while (i < end) {
+    IndexRange cell{i, i};
+    while (cell.last < end && keys_[cell.last] == keys_[i]) ++cell.last;
+    search_.gather(built_at_, cell, cursors.rowsAround(keys_[i]), reach_ * reach_, candidates);
+    for (; i < cell.last; ++i) begin = buildList(i, candidates, begin, chunks_[chunk]);
   }
 }
 
 /// Writes the list of one particle and its padding at `begin`. Returns where the next one starts.
 template <class Real>
-Index Neighbours<Real>::buildList(std::size_t i, const CellRows& rows, Index begin,
-                                  std::vector<Index>& list) {
-  std::size_t room = begin + 2 * kPadding;  // the search writes whole vectors
-  for (const IndexRange& cells : rows) room += cells.last - cells.first;
-  if (list.size() < room) list.resize(room + room / 2);
-  Index* first = list.data() + begin;
-  Index* last = search_.collect(built_at_, Index(i), rows, reach_ * reach_, first);
+Index Neighbours<Real>::buildList(Index i, const Candidates<Real>& candidates, Index begin,
+                                  Chunk& chunk) {
+  const std::size_t room = begin + candidates.count + 2 * kPadding;  // whole vectors are written
+  if (chunk.list.size() < room) chunk.list.resize(room + room / 8);
+  Index* first = chunk.list.data() + begin;
+  Index* last = search_.collect(candidates, built_at_, i, reach_ * reach_, first, chunk.coincident);
   begin_[i] = begin;
   count_[i] = static_cast<Index>(last - first);
-  std::fill(last, last + kPadding, Index(i));
+  std::fill(last, last + kPadding, i);
   return begin + static_cast<Index>(padded(i).size());
 }
 
@@ -143,6 +166,11 @@ void Neighbours<Real>::build(const VectorField<Real>& predicted) {
   chunks_.resize(chunks);
   tbb::parallel_for(std::size_t(0), chunks, [&](std::size_t k) { buildChunk(k); });
   ++builds_;
+}
+
+template <class Real>
+bool Neighbours<Real>::coincident() const {
+  return std::any_of(chunks_.begin(), chunks_.end(), [](const Chunk& c) { return c.coincident; });
 }
 
 template <class Real>

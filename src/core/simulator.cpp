@@ -127,7 +127,7 @@ void Simulator<Real>::findNeighbours() {
   particles_.reorder(order);
   if (springs_) springs_->renumber(order);
   neighbours_.build(particles_.predicted);
-  separateCoincident();
+  if (neighbours_.coincident()) separateCoincident();
 }
 
 /// Two particles at one point have no direction in which to part, so all but the first of them are
