@@ -93,6 +93,7 @@ class Simulation {
   struct DensityError {
     double mean = 0.0;
     double max = 0.0;
+    double volume_lost = 0.0;  ///< mean of 1 - 1 / max(rho / rho_0, 1): what compression hides
   };
   virtual DensityError measureDensityError() = 0;
 

@@ -24,7 +24,7 @@ std::vector<Index> placesById(const std::vector<std::uint32_t>& ids) {
   return places;
 }
 
-/// Mean and maximum of max(density - 1, 0), summed in order.
+/// Of densities relative to rest, summed in order.
 template <class Real>
 Simulation::DensityError densityError(const std::vector<Real>& density) {
   Simulation::DensityError error;
@@ -32,8 +32,11 @@ Simulation::DensityError densityError(const std::vector<Real>& density) {
     const double excess = std::max(0.0, double(relative) - 1.0);
     error.mean += excess;
     error.max = std::max(error.max, excess);
+    error.volume_lost += excess / (1.0 + excess);
   }
-  if (!density.empty()) error.mean /= double(density.size());
+  if (density.empty()) return error;
+  error.mean /= double(density.size());
+  error.volume_lost /= double(density.size());
   return error;
 }
 
