@@ -8,13 +8,28 @@
 
 namespace ice_ice_baby {
 
-/// Box of water at rest on a cubic lattice; with `sheet`, a cloth joined by springs that never
-/// melt.
+enum class BlockShape { kBox, kBall, kCylinder };
+inline std::vector<std::string> choices(BlockShape) { return {"box", "ball", "cylinder"}; }
+
+/// Water on a cubic lattice that fills a box, or the ball or upright cylinder that touches all
+/// sides of it (an ellipsoid or an elliptic cylinder where they differ); with `sheet`, a cloth
+/// joined by springs that never melt.
 struct Block {
+  BlockShape shape = BlockShape::kBox;
   Vec3d min_m = Vec3d::Zero();
   Vec3d max_m = Vec3d::Zero();
   Vec3d velocity_m_s = Vec3d::Zero();
+  Mat3<double> velocity_gradient_1_s = Mat3<double>::Zero();  ///< row: of one velocity component
+  Vec3d spin_rad_s = Vec3d::Zero();
   bool sheet = false;
+
+  Vec3d centre_m() const { return (min_m + max_m) / 2; }
+
+  /// Velocity with which water at `point_m` starts.
+  Vec3d velocityAt(const Vec3d& point_m) const {
+    const Vec3d arm = point_m - centre_m();
+    return velocity_m_s + velocity_gradient_1_s * arm + spin_rad_s.cross(arm);
+  }
 };
 
 /// Pose whose rotation is Rz(yaw) Ry(pitch) Rx(roll), as REP 103 has it.
@@ -84,11 +99,23 @@ struct Scene {
 constexpr Range kGravityRange_m_s2{-1e4, 1e4};
 constexpr Range kCoordinateRange_m{-kMaxCoordinate_m, kMaxCoordinate_m};
 
-/// Lattice points that `block` holds at spacing `spacing_m`, one coordinate triple each.
+/// Lattice points along the axes of the box of `block` at spacing `spacing_m`.
 /// Spawn position of the first is half a spacing inside `min_m`; a sheet is one layer thick.
 Eigen::Array<std::int64_t, 3, 1> latticeSize(const Block& block, double spacing_m);
 
-/// Particles that the scene spawns.
+/// Lattice points first ... last - 1 along x.
+struct LatticeRow {
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+};
+
+/// Points of row `y`, `z` of the lattice that lie within the shape of the block, its rim included.
+/// @param size latticeSize of the block
+LatticeRow latticeRow(const Block& block, double spacing_m,
+                      const Eigen::Array<std::int64_t, 3, 1>& size, std::int64_t y, std::int64_t z);
+
+/// Particles that the scene spawns. A ball or a cylinder in a box of more than 1e8 lattice points
+/// counts as the whole box: more than any scene may hold.
 std::int64_t particleCount(const Scene& scene);
 
 /// Refuses a value out of its range, and what no single key shows to be wrong: no room in memory,

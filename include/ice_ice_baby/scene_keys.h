@@ -14,9 +14,14 @@ void describe(TemperatureEvent& e, Visitor&& visit) {
 
 template <class Visitor>
 void describe(Block& b, Visitor&& visit) {
+  visit("shape", b.shape,
+        "the whole box from min_m to max_m, or the ball or upright cylinder that just fits in it");
   visit("min_m", b.min_m, kCoordinateRange_m, "lower corner");
   visit("max_m", b.max_m, kCoordinateRange_m, "upper corner");
-  visit("velocity_m_s", b.velocity_m_s, Range{-1e3, 1e3}, "velocity at the start");
+  visit("velocity_m_s", b.velocity_m_s, Range{-1e3, 1e3}, "velocity of the centre at the start");
+  visit("velocity_gradient_1_s", b.velocity_gradient_1_s, Range{-1e3, 1e3},
+        "added velocity per metre from the centre: rows of vx, vy, vz, columns along x, y, z");
+  visit("spin_rad_s", b.spin_rad_s, Range{-1e3, 1e3}, "added rotation about the centre");
   visit("sheet", b.sheet,
         "one layer of particles joined by springs that bend, neither stretch nor melt");
 }

@@ -26,7 +26,8 @@ Override parseOverride(const std::string& text);
 /// source tree, else the installed one.
 std::string sceneFolder();
 
-/// Names of the scenes in sceneFolder(), sorted.
+/// Names of the scenes in sceneFolder(), sorted; then those of its folder verification, whose
+/// answer is known, sorted too.
 std::vector<std::string> sceneNames();
 
 /// Reads a scene by name ("dam_break", looked up in sceneFolder()) or by path (ends in .yaml).

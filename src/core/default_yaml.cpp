@@ -21,10 +21,12 @@ class Writer {
     line(name, std::to_string(value), meaning, rangeText(range));
   }
   void operator()(const char* name, Vec3d& value, Range range, const char* meaning) {
-    line(name,
-         "[" + numberText(value.x()) + ", " + numberText(value.y()) + ", " + numberText(value.z()) +
-             "]",
-         meaning, rangeText(range));
+    line(name, vectorText(value), meaning, rangeText(range));
+  }
+  void operator()(const char* name, Mat3<double>& value, Range range, const char* meaning) {
+    const std::string rows = vectorText(value.row(0)) + ", " + vectorText(value.row(1)) + ", " +
+                             vectorText(value.row(2));
+    line(name, "[" + rows + "]", meaning, rangeText(range));
   }
   void operator()(const char* name, bool& value, const char* meaning) {
     line(name, value ? "true" : "false", meaning, "true, false");
@@ -55,6 +57,11 @@ class Writer {
   }
 
  private:
+  static std::string vectorText(const Vec3d& value) {
+    return "[" + numberText(value.x()) + ", " + numberText(value.y()) + ", " +
+           numberText(value.z()) + "]";
+  }
+
   static std::string rangeText(Range range) {
     return "[" + numberText(range.min) + ", " + numberText(range.max) + "]";
   }

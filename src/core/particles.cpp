@@ -26,12 +26,13 @@ Particles<Real> spawnParticles(const Scene& scene, std::vector<Spawn>& spawns) {
     const auto size = latticeSize(block, d);
     for (std::int64_t z = 0; z < size.z(); ++z) {
       for (std::int64_t y = 0; y < size.y(); ++y) {
-        for (std::int64_t x = 0; x < size.x(); ++x, ++i) {
+        const LatticeRow row = latticeRow(block, d, size, y, z);
+        for (std::int64_t x = row.first; x < row.last; ++x, ++i) {
           const Vec3d cell(double(x) + 0.5, double(y) + 0.5, double(z) + 0.5);
-          const Vec3<Real> point = (block.min_m + d * cell).template cast<Real>();
-          particles.position.set(i, point);
-          particles.predicted.set(i, point);
-          particles.velocity.set(i, block.velocity_m_s.cast<Real>());
+          const Vec3d point = block.min_m + d * cell;
+          particles.position.set(i, point.cast<Real>());
+          particles.predicted.set(i, point.cast<Real>());
+          particles.velocity.set(i, block.velocityAt(point).cast<Real>());
           particles.id[i] = i;
         }
       }

@@ -11,6 +11,9 @@ namespace ice_ice_baby {
 
 namespace {
 
+/// Upper end of limits.max_particles.
+constexpr double kMaxParticles = 1e8;
+
 constexpr double kPaperSupportRadius_m = 0.03;
 constexpr double kPaperSpacing_m = 0.0211;
 constexpr double kPaperEpsilon_1_m2 = 0.1;
@@ -22,8 +25,10 @@ class RangeCheck {
 
   template <class Number>
   void operator()(const char* name, Number& value, Range range, const char*) const {
-    if constexpr (std::is_same_v<Number, Vec3d>) {
-      for (const double part : value) requireInRange(path_ + name, part, range.min, range.max);
+    if constexpr (std::is_base_of_v<Eigen::MatrixBase<Number>, Number>) {
+      for (const double part : value.reshaped()) {
+        requireInRange(path_ + name, part, range.min, range.max);
+      }
     } else {
       requireInRange(path_ + name, value, range.min, range.max);
     }
@@ -90,11 +95,49 @@ Eigen::Array<std::int64_t, 3, 1> latticeSize(const Block& block, double spacing_
   return size;
 }
 
+LatticeRow latticeRow(const Block& block, double spacing_m,
+                      const Eigen::Array<std::int64_t, 3, 1>& size, std::int64_t y,
+                      std::int64_t z) {
+  if (block.shape == BlockShape::kBox) return {0, size.x()};
+  // From the centre, in half widths of the box: there the shape has radius 1.
+  const Eigen::Array3d half = (block.max_m - block.min_m).array() / 2;
+  const double across = (double(y) + 0.5) * spacing_m / half.y() - 1;
+  const double up = (double(z) + 0.5) * spacing_m / half.z() - 1;
+  const bool ball = block.shape == BlockShape::kBall;
+  const double rest2 = 1 - across * across - (ball ? up * up : 0.0);
+  constexpr double kRim = 1e-6;  // a point on the rim is inside, as latticeSize forgives rounding
+  if (rest2 < -kRim) return {};
+  const double middle = half.x() / spacing_m - 0.5;
+  const double reach = std::sqrt(std::max(rest2, 0.0)) * half.x() / spacing_m + kRim;
+  LatticeRow row;
+  row.first = std::max(static_cast<std::int64_t>(std::ceil(middle - reach)), std::int64_t(0));
+  row.last = std::min(static_cast<std::int64_t>(std::floor(middle + reach)) + 1, size.x());
+  row.last = std::max(row.first, row.last);
+  return row;
+}
+
+namespace {
+
+/// As a floating point number, which no scene overflows.
+double particleCount(const Block& block, double spacing_m) {
+  const auto size = latticeSize(block, spacing_m);
+  const double whole = size.cast<double>().prod();
+  if (block.shape == BlockShape::kBox || whole > kMaxParticles) return whole;
+  double count = 0.0;
+  for (std::int64_t z = 0; z < size.z(); ++z) {
+    for (std::int64_t y = 0; y < size.y(); ++y) {
+      const LatticeRow row = latticeRow(block, spacing_m, size, y, z);
+      count += double(row.last - row.first);
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
 std::int64_t particleCount(const Scene& scene) {
   double count = 0.0;
-  for (const Block& block : scene.blocks) {
-    count += latticeSize(block, scene.fluid.spacing_m).cast<double>().prod();
-  }
+  for (const Block& block : scene.blocks) count += particleCount(block, scene.fluid.spacing_m);
   return static_cast<std::int64_t>(std::min(count, 9e18));
 }
 
@@ -111,10 +154,15 @@ void validate(const Scene& scene) {
   }
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const Block& block = scene.blocks[k];
-    if ((latticeSize(block, d) > 0).all()) continue;
+    const std::string name = "blocks." + std::to_string(k);
+    if (block.sheet && block.shape != BlockShape::kBox) {
+      throw InvalidInput(name +
+                         ": a sheet is a box one particle thick; set shape to box, or sheet "
+                         "to false");
+    }
+    if (particleCount(block, d) > 0) continue;
     throw InvalidInput(
-        "blocks." + std::to_string(k) +
-        " holds no particle: max_m must exceed min_m by at least fluid.spacing_m = " +
+        name + " holds no particle: max_m must exceed min_m by at least fluid.spacing_m = " +
         numberText(d) + " along every axis");
   }
   const std::int64_t count = particleCount(scene);

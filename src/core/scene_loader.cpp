@@ -19,6 +19,9 @@ namespace {
 
 constexpr std::uintmax_t kMaxSceneFile_bytes = 1 << 20;
 
+/// Folder within the scene folder, of the scenes whose answer is known.
+constexpr char kVerification[] = "verification";
+
 YAML::Node parseYaml(const std::string& text, const std::string& origin) {
   try {
     return YAML::Load(text);
@@ -96,6 +99,16 @@ std::string readFile(const fs::path& path) {
   return text.str();
 }
 
+std::vector<std::string> namesIn(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 bool isPath(const std::string& name) {
   const fs::path path(name);
   return path.extension() == ".yaml" || path.extension() == ".yml" || path.has_parent_path();
@@ -120,12 +133,10 @@ std::string sceneFolder() {
 }
 
 std::vector<std::string> sceneNames() {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(sceneFolder(), error)) {
-    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
+  const fs::path folder = sceneFolder();
+  std::vector<std::string> names = namesIn(folder);
+  const std::vector<std::string> known = namesIn(folder / kVerification);
+  names.insert(names.end(), known.begin(), known.end());
   return names;
 }
 
@@ -138,8 +149,10 @@ Scene loadScene(const std::string& name_or_path, const std::vector<Override>& ov
     throw InvalidInput("no scene \"" + shortened(name_or_path) + "\"" +
                        suggestion(name_or_path, names) + "; or the path of a .yaml file");
   }
-  const fs::path path = fs::path(sceneFolder()) / (name_or_path + ".yaml");
-  return parseScene(readFile(path), overrides, name_or_path);
+  const std::string file = name_or_path + ".yaml";
+  const fs::path ordinary = fs::path(sceneFolder()) / file;
+  const fs::path known = fs::path(sceneFolder()) / kVerification / file;
+  return parseScene(readFile(fs::exists(ordinary) ? ordinary : known), overrides, name_or_path);
 }
 
 Scene parseScene(const std::string& yaml, const std::vector<Override>& overrides,

@@ -38,12 +38,19 @@ class Reader {
   void operator()(const char* name, Vec3d& value, Range range, const char*) {
     const YAML::Node node = find(name);
     if (!node) return;
+    value = vector(node, keyPath(name), range);
+  }
+
+  void operator()(const char* name, Mat3<double>& value, Range range, const char*) {
+    const YAML::Node node = find(name);
+    if (!node) return;
     if (!node.IsSequence() || node.size() != 3) {
       throw InvalidInput(keyPath(name) + " = " + text(node) +
-                         " must be three numbers, as [0, 0, 1]");
+                         " must be three rows of three numbers, as [[1, 0, 0], [0, -1, 0], "
+                         "[0, 0, 0]]");
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      value[axis] = number(node[axis], keyPath(name) + "." + std::to_string(axis), range);
+    for (int row = 0; row < 3; ++row) {
+      value.row(row) = vector(node[row], keyPath(name) + "." + std::to_string(row), range);
     }
   }
 
@@ -132,6 +139,17 @@ class Reader {
       throw InvalidInput(key + " = " + text(node) + " must be a number");
     }
     requireInRange(key, value, range.min, range.max);
+    return value;
+  }
+
+  static Vec3d vector(const YAML::Node& node, const std::string& key, Range range) {
+    if (!node.IsSequence() || node.size() != 3) {
+      throw InvalidInput(key + " = " + text(node) + " must be three numbers, as [0, 0, 1]");
+    }
+    Vec3d value;
+    for (int axis = 0; axis < 3; ++axis) {
+      value[axis] = number(node[axis], key + "." + std::to_string(axis), range);
+    }
     return value;
   }
 

@@ -67,6 +67,12 @@ TEST(SceneRefusalTest, WrongTypesSayWhatIsWanted) {
   expectRefusal("solver: {substeps: 2.5}", {"solver.substeps = 2.5", "whole number"});
   expectRefusal("gravity_m_s2: -9.81", {"gravity_m_s2", "three numbers"});
   expectRefusal("gravity_m_s2: [0, -9.81]", {"gravity_m_s2", "three numbers"});
+  const std::string gradient = "blocks: [{velocity_gradient_1_s: ";
+  expectRefusal(gradient + "3}]", {"blocks.0.velocity_gradient_1_s = 3", "three rows"});
+  expectRefusal(gradient + "[1, 2, 3]}]", {"velocity_gradient_1_s.0 = 1", "three numbers"});
+  expectRefusal(gradient + "[[1, 0, 0], [0, 1], [0, 0, 0]]}]", {"gradient_1_s.1", "three numbers"});
+  expectRefusal(gradient + "[[0, 0, .nan], [0, 1, 0], [0, 0, 0]]}]", {"gradient_1_s.0.2"});
+  expectRefusal("blocks: [{shape: cone}]", {"blocks.0.shape = cone", "box, ball, cylinder"});
   expectRefusal("fluid: {self_density: maybe}", {"fluid.self_density", "true or false"});
   expectRefusal("fluid: {kernel: gauss}", {"fluid.kernel", "cubic, poly6_spiky"});
   expectRefusal("preset: fast", {"preset", "default, paper"});
@@ -141,6 +147,18 @@ TEST(OverrideTest, ReachesIntoLists) {
   EXPECT_EQ(scene.gravity_m_s2, Vec3d(1, 2, 3));
 }
 
+TEST(OverrideTest, ReachesIntoRowsOfAVelocityGradient) {
+  const std::string yaml =
+      "blocks: [{shape: ball, max_m: [1, 1, 1], spin_rad_s: [0, 0, 3],"
+      " velocity_gradient_1_s: [[1, 2, 3], [4, 5, 6], [7, 8, 9]]}]";
+  const Scene scene = parseScene(yaml, {{"blocks.0.velocity_gradient_1_s.1.2", "-6"}});
+  Mat3<double> expected;
+  expected << 1, 2, 3, 4, 5, -6, 7, 8, 9;
+  EXPECT_EQ(scene.blocks[0].velocity_gradient_1_s, expected);
+  EXPECT_EQ(scene.blocks[0].shape, BlockShape::kBall);
+  EXPECT_EQ(scene.blocks[0].spin_rad_s.z(), 3);
+}
+
 TEST(OverrideTest, RefusesWhatIsNotThere) {
   const std::string yaml = "spheres: [{radius_m: 1}]";
   expectRefusal(yaml, {"spheres.3", "1 entries"}, {{"spheres.3.radius_m", "3"}});
@@ -205,6 +223,17 @@ TEST(SceneFileTest, HugeFilesAndFoldersAreRefusedUnread) {
   fs::remove_all(folder);
 }
 
+TEST(SceneFileTest, ScenesWithKnownAnswersComeAfterTheOrdinaryOnesAndLoadByName) {
+  const fs::path known = fs::path(sceneFolder()) / "verification";
+  const std::vector<std::string> names = sceneNames();
+  const auto first = std::find(names.begin(), names.end(), "free_fall");
+  ASSERT_NE(first, names.end());
+  EXPECT_LT(std::find(names.begin(), names.end(), "two_containers"), first);
+  EXPECT_FALSE(fs::exists(known / (names.front() + ".yaml")));
+  EXPECT_TRUE(fs::exists(known / (names.back() + ".yaml")));
+  EXPECT_EQ(loadScene("free_fall").name, "free_fall");
+}
+
 TEST(DefaultYamlTest, TheManualIsTheCode) {
   std::ifstream file(std::string(IIB_CONFIG) + "/default.yaml");
   std::stringstream text;
@@ -227,10 +256,10 @@ TEST(DefaultYamlTest, ParsesToTheDefaults) {
 class ShippedScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedScene, RunsUnderBothPresets) {
-  const std::string path = std::string(IIB_CONFIG) + "/scenes/" + GetParam() + ".yaml";
+  const fs::path path = GetParam();
   for (const char* preset : {"default", "paper"}) {
-    const Scene scene = loadScene(path, {{"preset", preset}});
-    EXPECT_EQ(scene.name, GetParam());
+    const Scene scene = loadScene(path.string(), {{"preset", preset}});
+    EXPECT_EQ(scene.name, path.stem().string());
     EXPECT_FALSE(scene.description.empty());
     const auto simulation = makeSimulation(scene);
     for (int k = 0; k < 3; ++k) simulation->advanceFrame();
@@ -246,15 +275,15 @@ TEST_P(ShippedScene, RunsUnderBothPresets) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Config, ShippedScene, testing::ValuesIn([] {
-                           std::vector<std::string> names;
-                           for (const auto& entry :
-                                fs::directory_iterator(std::string(IIB_CONFIG) + "/scenes")) {
-                             names.push_back(entry.path().stem().string());
+                           std::vector<std::string> paths;
+                           for (const auto& entry : fs::recursive_directory_iterator(
+                                    std::string(IIB_CONFIG) + "/scenes")) {
+                             if (entry.is_regular_file()) paths.push_back(entry.path().string());
                            }
-                           std::sort(names.begin(), names.end());
-                           return names;
+                           std::sort(paths.begin(), paths.end());
+                           return paths;
                          }()),
-                         [](const auto& name) { return name.param; });
+                         [](const auto& path) { return fs::path(path.param).stem().string(); });
 
 }  // namespace
 }  // namespace ice_ice_baby

@@ -9,6 +9,7 @@
 #include "fixtures.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/kernels.h"
+#include "ice_ice_baby/particles.h"
 #include "ice_ice_baby/simulation.h"
 
 namespace ice_ice_baby {
@@ -86,6 +87,73 @@ TEST(LatticeSizeTest, CountsWholeSpacingsAndForgivesRounding) {
   EXPECT_EQ(count({0.05, 0.4, 0.5}, 0.1, true), 20);
 }
 
+Scene sceneOf(BlockShape shape, const Vec3d& low, const Vec3d& high) {
+  Scene scene;
+  scene.fluid.spacing_m = 0.1;
+  scene.blocks.push_back(test::blockOf(low, high));
+  scene.blocks[0].shape = shape;
+  return scene;
+}
+
+TEST(BlockShapeTest, HoldsExactlyTheLatticePointsInside) {
+  for (const BlockShape shape : {BlockShape::kBox, BlockShape::kBall, BlockShape::kCylinder}) {
+    for (const Vec3d& high : {Vec3d(1, 1, 1), Vec3d(0.7, 1.3, 0.4), Vec3d(0.55, 0.95, 1.04)}) {
+      const Scene scene = sceneOf(shape, Vec3d::Zero(), high);
+      std::int64_t inside = 0;
+      for (const Vec3d& point : test::lattice(14, 0.1)) {
+        const Eigen::Array3d q = (2 * point - high).array() / high.array();
+        const double radius2 =
+            shape == BlockShape::kBall ? q.square().sum() : q.head(2).square().sum();
+        const bool in_box = ((point + Vec3d::Constant(0.05) - high).array() < 1e-6).all();
+        if (in_box && (shape == BlockShape::kBox || radius2 < 1 + 1e-9)) ++inside;
+      }
+      EXPECT_EQ(particleCount(scene), inside) << high.transpose();
+      std::vector<Spawn> spawns;
+      EXPECT_EQ(spawnParticles<double>(scene, spawns).size(), std::size_t(inside));
+      EXPECT_EQ(spawns[0].count, inside);
+    }
+  }
+}
+
+TEST(BlockShapeTest, FillsTheVolumeOfABallAndOfACylinder) {
+  Scene scene = sceneOf(BlockShape::kBall, Vec3d::Constant(-2), Vec3d::Constant(2));
+  EXPECT_NEAR(double(particleCount(scene)), 4.0 / 3.0 * M_PI * 8000, 300);
+  scene.blocks[0].shape = BlockShape::kCylinder;
+  EXPECT_NEAR(double(particleCount(scene)), M_PI * 400 * 40, 500);
+}
+
+TEST(BlockShapeTest, IsTheSameOnBothSidesOfItsCentre) {
+  const Scene scene = sceneOf(BlockShape::kBall, {-0.6, -0.6, 0.4}, {0.6, 0.6, 1.6});
+  std::vector<Spawn> spawns;
+  const auto particles = spawnParticles<double>(scene, spawns);
+  const Vec3d mean = test::sumOf(particles.position) / double(particles.size());
+  EXPECT_LT((mean - Vec3d(0, 0, 1)).norm(), 1e-12);
+}
+
+TEST(BlockShapeTest, CountingAHugeBallTakesNoTime) {
+  Scene scene = sceneOf(BlockShape::kBall, Vec3d::Constant(-100), Vec3d::Constant(100));
+  scene.fluid.spacing_m = 1e-4;
+  EXPECT_NE(refusal(scene).find("limits.max_particles"), std::string::npos);
+}
+
+TEST(BlockVelocityTest, IsLinearAboutTheCentreAndSpins) {
+  Scene scene = sceneOf(BlockShape::kBox, {1, 1, 1}, {2, 2, 2});
+  Block& block = scene.blocks[0];
+  block.velocity_m_s = {1, 2, 3};
+  EXPECT_EQ(block.velocityAt({1.3, 7, 2}), Vec3d(1, 2, 3));
+  block.velocity_gradient_1_s << 4, 5, 0, 0, -4, 0, 6, 0, 0;
+  EXPECT_LT((block.velocityAt({2.5, 3.5, 0}) - Vec3d(1 + 4 + 10, 2 - 8, 3 + 6)).norm(), 1e-12);
+  block.velocity_gradient_1_s.setZero();
+  block.spin_rad_s = {0, 0, 2};
+  EXPECT_LT((block.velocityAt({2.5, 1.5, 0}) - Vec3d(1, 4, 3)).norm(), 1e-12);
+  std::vector<Spawn> spawns;
+  const auto particles = spawnParticles<double>(scene, spawns);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Vec3d expected = block.velocityAt(particles.position.at(i));
+    EXPECT_LT((particles.velocity.at(i) - expected).norm(), 1e-12);
+  }
+}
+
 TEST(ValidateTest, NamesWhatCannotBe) {
   struct Case {
     std::function<void(Scene&)> change;
@@ -96,6 +164,18 @@ TEST(ValidateTest, NamesWhatCannotBe) {
       {[](Scene& s) { s.fluid.support_radius_m = 1; }, "support_radius_m"},
       {[](Scene& s) { s.temperature.freezing_c = 4; }, "freezing_c"},
       {[](Scene& s) { s.blocks[0].max_m = s.blocks[0].min_m; }, "blocks.0"},
+      {[](Scene& s) {
+         s.blocks[0].shape = BlockShape::kBall;
+         s.blocks[0].sheet = true;
+       },
+       "blocks.0: a sheet is a box"},
+      {[](Scene& s) {
+         s.blocks[0].shape = BlockShape::kBall;
+         s.blocks[0].max_m.z() = s.blocks[0].min_m.z() + 0.04;
+       },
+       "blocks.0 holds no particle"},
+      {[](Scene& s) { s.blocks[0].velocity_gradient_1_s(1, 2) = 1e4; },
+       "blocks.0.velocity_gradient_1_s"},
       {[](Scene& s) { s.limits.max_particles = 100; }, "limits.max_particles"},
       {[](Scene& s) {
          s.fluid.spacing_m = 1e-4;
