@@ -1,0 +1,172 @@
+// A scene pays only for what it contains: stages, memory and allocations, counted, not timed.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <map>
+#include <new>
+
+#include "fixtures.h"
+#include "ice_ice_baby/simulation.h"
+
+namespace {
+
+std::atomic<std::uint64_t> allocations{0};
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
+  void* memory = std::aligned_alloc(alignment, rounded);
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+// Every allocation of this program, except what malloc is asked for directly.
+void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new[](std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t a) { return counted(size, std::size_t(a)); }
+void* operator new[](std::size_t size, std::align_val_t a) { return counted(size, std::size_t(a)); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace ice_ice_baby {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// Water alone: no walls, no gravity, no viscosity.
+Scene waterOnly() {
+  Scene scene = test::floatingCube(8);
+  scene.solver.viscosity_1_s = 0.0;
+  return scene;
+}
+
+std::unique_ptr<Simulation> ran(const Scene& scene, int frames) {
+  auto simulation = makeSimulation(scene, Precision::kFloat, 1);
+  for (int k = 0; k < frames; ++k) simulation->advanceFrame();
+  return simulation;
+}
+
+Names namesOf(const Simulation& simulation) {
+  Names names;
+  for (const StageStats& stage : simulation.stages()) names.push_back(stage.name);
+  return names;
+}
+
+std::map<std::string, StageStats> byName(const Simulation& simulation) {
+  std::map<std::string, StageStats> stages;
+  for (const StageStats& stage : simulation.stages()) stages[stage.name] = stage;
+  return stages;
+}
+
+std::size_t bytesOf(const Simulation& simulation) {
+  std::size_t bytes = 0;
+  for (const StageStats& stage : simulation.stages()) bytes += stage.bytes;
+  return bytes;
+}
+
+TEST(PayOnly, WaterAloneHasTheStagesOfWaterAlone) {
+  EXPECT_EQ(namesOf(*ran(waterOnly(), 2)), (Names{"predict", "neighbours", "lambda", "delta_p",
+                                                  "position", "velocity", "report"}));
+}
+
+TEST(PayOnly, EachThingOfASceneBringsItsOwnStageAndNoOther) {
+  Scene viscous = waterOnly();
+  viscous.solver.viscosity_1_s = 30.0;
+  EXPECT_EQ(namesOf(*ran(viscous, 2)), (Names{"predict", "neighbours", "lambda", "delta_p",
+                                              "position", "velocity", "viscosity", "report"}));
+  Scene walled = test::fullTank(8);
+  walled.solver.viscosity_1_s = 0.0;
+  EXPECT_EQ(namesOf(*ran(walled, 2)), (Names{"predict", "neighbours", "lambda", "delta_p",
+                                             "collide", "position", "velocity", "report"}));
+}
+
+TEST(PayOnly, EveryStageRunsAsOftenAsTheSettingSays) {
+  Scene scene = test::fullTank(6);
+  scene.solver.substeps = 5;
+  scene.solver.iterations = 3;
+  const auto simulation = ran(scene, 4);
+  auto stages = byName(*simulation);
+  for (const char* name : {"predict", "neighbours", "velocity", "viscosity"}) {
+    EXPECT_EQ(stages[name].calls, 4u * 5) << name;
+  }
+  // Colliders that stand still are met once an iteration, as the water's own passes are.
+  for (const char* name : {"lambda", "delta_p", "collide", "position"}) {
+    EXPECT_EQ(stages[name].calls, 4u * 5 * 3) << name;
+  }
+  EXPECT_EQ(stages["report"].calls, 4u);
+}
+
+TEST(PayOnly, WhatASceneLacksTakesNoMemory) {
+  const auto bare = ran(waterOnly(), 3);
+  const std::size_t particles = bare->report().particles;
+  auto stages = byName(*bare);
+
+  Scene viscous = waterOnly();
+  viscous.solver.viscosity_1_s = 30.0;
+  const auto with_viscosity = ran(viscous, 3);
+  EXPECT_EQ(bytesOf(*bare) + byName(*with_viscosity)["viscosity"].bytes, bytesOf(*with_viscosity));
+
+  // A collider far from the water: the arrays it brings are all that differs.
+  Scene walled = waterOnly();
+  walled.planes.emplace_back();
+  walled.planes[0].position_m.z() = -5;
+  auto with_walls = byName(*ran(walled, 3));
+  walled.fluid.wall_density = false;
+  auto without_density = byName(*ran(walled, 3));
+  EXPECT_EQ(without_density["lambda"].bytes, stages["lambda"].bytes);
+  EXPECT_GE(with_walls["lambda"].bytes, stages["lambda"].bytes + 3 * sizeof(float) * particles);
+  EXPECT_GT(with_walls["collide"].bytes, 0u);
+  EXPECT_LT(with_walls["collide"].bytes, 1000u) << "grows with the colliders, not the particles";
+}
+
+TEST(PayOnly, MeltedWaterCostsWhatWaterNeverFrozenDoes) {
+  const auto water = ran(test::fullTank(6), 3);
+  const auto melted = ran(test::fullTank(6), 1);
+  melted->setTemperature(-10, 0);
+  melted->advanceFrame();
+  ASSERT_GT(byName(*melted)["make_springs"].bytes, 0u);
+  melted->setTemperature(20, 0);
+  melted->advanceFrame();
+  EXPECT_EQ(namesOf(*melted), namesOf(*water));
+  EXPECT_EQ(melted->report().springs, 0u);
+}
+
+/// Allocations of 30 frames after a warm-up in which every array has grown to its size. On one
+/// thread: which of several has the most to hold is not the same in every run.
+std::uint64_t steadyAllocations(const Scene& scene, int warm_up_frames) {
+  const auto simulation = ran(scene, warm_up_frames);
+  const std::uint64_t before = allocations;
+  for (int k = 0; k < 30; ++k) simulation->advanceFrame();
+  return allocations - before;
+}
+
+TEST(PayOnly, TheCounterCounts) {
+  const std::uint64_t before = allocations;
+  const auto made = std::make_unique<std::vector<int>>(3);
+  EXPECT_EQ(allocations - before, 2u);
+}
+
+TEST(PayOnly, AStillPoolAllocatesNothing) {
+  EXPECT_EQ(steadyAllocations(test::fullTank(10, true), 10), 0u);
+}
+
+TEST(PayOnly, ASplashAllocatesNothing) { EXPECT_EQ(steadyAllocations(test::splash(), 30), 0u); }
+
+TEST(PayOnly, FrozenWaterAllocatesNothing) {
+  Scene scene = test::fullTank(6);
+  scene.temperature.initial_c = -10.0;
+  scene.springs.sleep_speed_m_s = 0.0;
+  EXPECT_EQ(steadyAllocations(scene, 5), 0u);
+}
+
+}  // namespace
+}  // namespace ice_ice_baby
