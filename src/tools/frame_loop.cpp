@@ -7,9 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "error_faces.h"
 #include "frame_writer.h"
 #include "progress_bar.h"
 #include "series_writer.h"
+#include "trajectory_recorder.h"
 
 namespace ice_ice_baby {
 
@@ -44,6 +46,48 @@ std::string note(const StepReport& report, const RunRecord& record) {
   return text;
 }
 
+/// Everything that looks at each frame, and the start before them.
+class Observers {
+ public:
+  Observers(Simulation& simulation, const RunOutputs& outputs) : simulation_(simulation) {
+    if (!outputs.series.empty()) series_.emplace(outputs.series);
+    if (!outputs.record.empty()) record_.emplace(outputs.record, simulation.report().particles);
+    const FrameView start = view();
+    watches_ = watchesFor(start);
+    write(start);
+  }
+
+  /// @return the density error of the frame
+  Simulation::DensityError look() {
+    const FrameView frame = view();
+    for (const auto& watch : watches_) watch->add(frame);
+    write(frame);
+    return frame.error;
+  }
+
+  std::vector<ErrorFace> faces() const {
+    std::vector<ErrorFace> faces;
+    for (const auto& watch : watches_) watch->tell(faces);
+    return faces;
+  }
+
+ private:
+  FrameView view() {
+    simulation_.sample(particles_);
+    return {simulation_, particles_, simulation_.measureDensityError()};
+  }
+  void write(const FrameView& frame) {
+    if (series_) series_->add(frame);
+    if (record_) record_->add(frame);
+  }
+
+  Simulation& simulation_;
+  std::vector<ParticleSample> particles_;
+  std::optional<SeriesWriter> series_;
+  std::optional<TrajectoryRecorder> record_;
+  std::vector<std::unique_ptr<ErrorWatch>> watches_;
+};
+
 }  // namespace
 
 RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double duration_s) {
@@ -53,9 +97,7 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double du
   const double every = std::max(1.0, scene.solver.frame_rate_hz / outputs.frames_hz);
   std::unique_ptr<FrameWriter> pictures;
   if (!outputs.frames.empty()) pictures = std::make_unique<FrameWriter>(outputs.frames, scene);
-  std::optional<SeriesWriter> series;
-  if (!outputs.series.empty()) series.emplace(outputs.series);
-  if (series) series->write(simulation, simulation.measureDensityError());
+  Observers observers(simulation, outputs);
   RunRecord record;
   ResidualSpeed residual(scene);
   ProgressBar bar(scene.name, frames);
@@ -66,14 +108,13 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double du
       next_picture += every;
     }
     const StepReport& report = simulation.advanceFrame();
-    const Simulation::DensityError error = simulation.measureDensityError();
-    record.addFrame(report, error);
-    if (series) series->write(simulation, error);
+    record.addFrame(report, observers.look());
     record.steps += report.asleep ? 0 : std::uint64_t(scene.solver.substeps);
     residual.add(report.rms_speed_m_s);
     bar.show(frame + 1, note(report, record));
     if (report.non_finite > 0) break;
   }
+  record.faces = observers.faces();
   record.escaped = simulation.countEscaped();
   record.residual_speed_m_s = residual.value();
   return record;

@@ -12,6 +12,7 @@ struct RunOutputs {
   std::string frames;  ///< folder of pictures
   double frames_hz = 30.0;
   std::string series;  ///< CSV over time
+  std::string record;  ///< .npy of every position
 };
 
 /// Runs the frames of `duration_s`, or until a value was not finite.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "ice_ice_baby/errors.h"
 
@@ -16,6 +18,36 @@ std::string hexText(std::uint64_t value) {
   char text[17];
   std::snprintf(text, sizeof text, "%016" PRIx64, value);
   return text;
+}
+
+/// Collects what a `describe` function visits.
+class SettingsReader {
+ public:
+  explicit SettingsReader(nlohmann::ordered_json& json) : json_(json) {}
+
+  template <class Number>
+  void operator()(const char* name, Number& value, Range, const char*) {
+    json_[name] = value;
+  }
+  template <class Word>
+  void operator()(const char* name, Word& value, const char*) {
+    if constexpr (std::is_enum_v<Word>) {
+      json_[name] = choices(value)[std::size_t(value)];
+    } else {
+      json_[name] = value;
+    }
+  }
+
+ private:
+  nlohmann::ordered_json& json_;
+};
+
+/// What was in force, whichever of preset, scene file and overrides said so.
+nlohmann::ordered_json settingsOf(Scene scene) {
+  nlohmann::ordered_json settings;
+  describe(scene.fluid, SettingsReader(settings["fluid"]));
+  describe(scene.solver, SettingsReader(settings["solver"]));
+  return settings;
 }
 
 }  // namespace
@@ -83,6 +115,11 @@ void writeReport(const std::string& path, const Simulation& simulation, const Ru
   json["state_hash"] = hexText(simulation.stateHash());
   json["threads"] = record.threads;
   json["precision"] = record.precision;
+  json["error"] = nlohmann::ordered_json::object();
+  for (const ErrorFace& face : record.faces) {
+    if (std::isfinite(face.value)) json["error"][face.name] = face.value;
+  }
+  json["settings"] = settingsOf(simulation.scene());
   json["stages"] = nlohmann::ordered_json::array();
   for (const StageStats& stage : simulation.stages()) {
     json["stages"].push_back({{"name", stage.name},

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "ice_ice_baby/simulation.h"
+#include "error_faces.h"
 
 namespace ice_ice_baby {
 
@@ -21,6 +22,7 @@ struct RunRecord {
   double residual_speed_m_s = 0;  ///< root mean square over the last half second, sleep aside
   std::size_t samples = 0;
   std::size_t escaped = 0;
+  std::vector<ErrorFace> faces;
 
   void addFrame(const StepReport& report, const Simulation::DensityError& error);
   /// Frames to seconds of simulated time per second of wall time.

@@ -57,6 +57,9 @@ void describeOptions(CLI::App& app, Options& o) {
                  "write the run over time to this file: CSV, a row per frame");
   app.add_option("--particles", o.particles,
                  "write the particles of the last frame to this file: CSV, a row per particle");
+  app.add_option(
+      "--record", o.outputs.record,
+      "write every position of every frame to this file: .npy, float32 (frame, id, xyz)");
   app.add_option("--frames", o.outputs.frames,
                  "write PNG pictures into this folder, in place of those of an earlier run");
   app.add_option("--frames-hz", o.outputs.frames_hz, "pictures per simulated second (30)");

@@ -41,16 +41,15 @@ SeriesWriter::SeriesWriter(std::string path) : path_(std::move(path)), file_(pat
   requireGood(file_, "series", path_);
 }
 
-void SeriesWriter::write(const Simulation& simulation, const Simulation::DensityError& error) {
-  const StepReport& report = simulation.report();
-  simulation.sample(particles_);
-  const CloudMoments moments = momentsOf(particles_, massOfParticle_kg(simulation.scene()));
+void SeriesWriter::add(const FrameView& frame) {
+  const StepReport& report = frame.report();
+  const CloudMoments moments = momentsOf(frame.particles, massOfParticle_kg(frame.scene()));
   std::string row;
   for (const double value :
-       {report.time_s, report.frame_wall_s, error.mean, error.max, report.density_error_mean,
-        report.density_error_max, report.kinetic_energy_j, report.potential_energy_j,
-        report.kinetic_energy_j + report.potential_energy_j, report.rms_speed_m_s,
-        report.max_speed_m_s}) {
+       {report.time_s, report.frame_wall_s, frame.error.mean, frame.error.max,
+        report.density_error_mean, report.density_error_max, report.kinetic_energy_j,
+        report.potential_energy_j, report.kinetic_energy_j + report.potential_energy_j,
+        report.rms_speed_m_s, report.max_speed_m_s}) {
     append(row, value);
   }
   for (const Vec3d& vector : {moments.min_m, moments.max_m, moments.mean_m, moments.rms_m,

@@ -3,9 +3,8 @@
 
 #include <fstream>
 #include <string>
-#include <vector>
 
-#include "ice_ice_baby/simulation.h"
+#include "frame_view.h"
 
 namespace ice_ice_baby {
 
@@ -14,14 +13,12 @@ class SeriesWriter {
   /// Writes the line of column names. @throws InvalidInput when the file cannot be written
   explicit SeriesWriter(std::string path);
 
-  /// Appends the state now. `error` is that of measureDensityError().
   /// @throws InvalidInput when the file cannot be written
-  void write(const Simulation& simulation, const Simulation::DensityError& error);
+  void add(const FrameView& frame);
 
  private:
   std::string path_;
   std::ofstream file_;
-  std::vector<ParticleSample> particles_;
 };
 
 /// Writes the state now as CSV, one row per particle, by id. @throws InvalidInput when the file

@@ -8,6 +8,8 @@ import sys
 import tempfile
 import unittest
 
+import numpy
+
 RUN_SCENE = sys.argv.pop(1)
 KEYS = """scene particles springs simulated_time_s wall_time_s steps density_error_mean
 density_error_max kinetic_energy_j max_speed_m_s escaped non_finite state_hash threads precision
@@ -99,6 +101,7 @@ class RunScene(unittest.TestCase):
                  ([self.scene, "--report", self.folder / "no" / "r.json"], "report"),
                  ([self.scene, "--series", self.folder / "no" / "s.csv"], "series"),
                  ([self.scene, "--particles", self.folder / "no" / "p.csv"], "particles"),
+                 ([self.scene, "--record", self.folder / "no" / "r.npy"], "record"),
                  ([self.scene, "--frames", self.scene], "small.yaml")]
         for words, clue in cases:
             with self.subTest(words=words):
@@ -175,6 +178,27 @@ class RunScene(unittest.TestCase):
             self.assertAlmostEqual(row["vz"], -9.81 * 0.05, 3)
             self.assertGreater(row["density"], 0)
         self.assertAlmostEqual(rows[0]["x"], -0.125, 5)
+
+    def test_record_has_every_position_of_every_frame(self):
+        path = self.folder / "record.npy"
+        result = self.run_scene(self.scene, "--record", path)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        record = numpy.load(path)
+        self.assertEqual((record.shape, record.dtype), ((7, 180, 3), numpy.float32))
+        self.assertTrue(numpy.allclose(record[0, 0], [-0.125, -0.125, 0.075]))
+        last = numpy.array([[row["x"], row["y"], row["z"]] for row in self.table("--particles")])
+        self.assertTrue(numpy.allclose(record[-1], last))
+
+    def test_report_has_the_faces_that_the_scene_has_and_the_settings_in_force(self):
+        report = self.report("--set", "solver.substeps=5")
+        faces = report["error"]
+        self.assertLessEqual({"density_mean", "density_max", "own_density_mean", "own_density_max",
+                              "volume_lost", "energy_drift", "energy_rise"}, set(faces))
+        self.assertNotIn("column_height_m", faces, "the block falls")
+        self.assertNotIn("ice_drift_spacings", faces, "water only")
+        self.assertAlmostEqual(faces["density_mean"], report["density_error_mean"])
+        self.assertEqual(report["settings"]["solver"]["substeps"], 5)
+        self.assertEqual(report["settings"]["fluid"]["kernel"], "cubic")
 
     def test_profile_shows_the_stages(self):
         result = self.run_scene(self.scene, "--profile")

@@ -1,0 +1,19 @@
+// What is known of a frame that has just been simulated; frame 0 is the start.
+#pragma once
+
+#include <vector>
+
+#include "ice_ice_baby/simulation.h"
+
+namespace ice_ice_baby {
+
+struct FrameView {
+  const Simulation& simulation;
+  const std::vector<ParticleSample>& particles;  ///< all of them, by id
+  Simulation::DensityError error;
+
+  const StepReport& report() const { return simulation.report(); }
+  const Scene& scene() const { return simulation.scene(); }
+};
+
+}  // namespace ice_ice_baby

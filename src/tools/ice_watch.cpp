@@ -1,0 +1,76 @@
+#include "ice_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloud_moments.h"
+#include "rigid_fit.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+bool everFreezes(const Scene& scene) {
+  double coldest_c = scene.temperature.initial_c;
+  for (const TemperatureEvent& event : scene.schedule) {
+    coldest_c = std::min(coldest_c, event.celsius);
+  }
+  return coldest_c <= scene.temperature.freezing_c;
+}
+
+std::vector<Vec3d> positionsOf(const std::vector<ParticleSample>& particles) {
+  std::vector<Vec3d> positions(particles.size());
+  std::transform(particles.begin(), particles.end(), positions.begin(), positionOf);
+  return positions;
+}
+
+}  // namespace
+
+IceWatch::IceWatch(const Scene& scene)
+    : spacing_m_(scene.fluid.spacing_m),
+      reach_m_(scene.springs.reach_h * scene.supportRadius_m()),
+      window_(std::size_t(std::max(1.0, 0.5 * scene.solver.frame_rate_hz))) {}
+
+std::unique_ptr<IceWatch> IceWatch::forScene(const FrameView& start) {
+  const auto& blocks = start.scene().blocks;
+  const bool water =
+      std::any_of(blocks.begin(), blocks.end(), [](const Block& b) { return !b.sheet; });
+  if (!water || start.particles.empty() || !everFreezes(start.scene())) return nullptr;
+  return std::unique_ptr<IceWatch>(new IceWatch(start.scene()));
+}
+
+void IceWatch::add(const FrameView& frame) {
+  if (frame.report().strictness < 1.0) {
+    // What froze again is another piece of ice; the faces tell of the last one.
+    if (!melted_) melted_ = !frozen_.empty();
+    return;
+  }
+  if (frozen_.empty() || melted_) {
+    frozen_ = positionsOf(frame.particles);
+    speeds_m_s_.clear();
+    melted_ = false;
+  }
+  last_ = positionsOf(frame.particles);
+  speeds_m_s_.push_back(frame.report().rms_speed_m_s);
+}
+
+double IceWatch::drift_m() const {
+  double squares = 0.0;
+  for (const auto& piece : connectedGroups(frozen_, reach_m_)) {
+    squares += squaredRigidMisfit_m2(frozen_, last_, piece);
+  }
+  return std::sqrt(squares / double(frozen_.size()));
+}
+
+void IceWatch::tell(std::vector<ErrorFace>& faces) const {
+  if (speeds_m_s_.size() < 2) return;
+  faces.push_back({"ice_drift_spacings", drift_m() / spacing_m_});
+  if (speeds_m_s_.size() <= window_) return;
+  double squares = 0.0;
+  for (std::size_t k = speeds_m_s_.size() - window_; k < speeds_m_s_.size(); ++k) {
+    squares += speeds_m_s_[k] * speeds_m_s_[k];
+  }
+  faces.push_back({"ice_residual_speed_m_s", std::sqrt(squares / double(window_))});
+}
+
+}  // namespace ice_ice_baby

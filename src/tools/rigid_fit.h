@@ -1,0 +1,20 @@
+// The rigid motion that fits two clouds best, and what it leaves.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "ice_ice_baby/types.h"
+
+namespace ice_ice_baby {
+
+/// Sum over `members` of the squared distance between `after` and the best-fit rigid motion of
+/// `before` (Kabsch 1976, by singular values; reflections excluded), m^2.
+double squaredRigidMisfit_m2(const std::vector<Vec3d>& before, const std::vector<Vec3d>& after,
+                             const std::vector<std::size_t>& members);
+
+/// Groups of points joined by chains of pairs closer than `reach_m`; each group in rising order.
+std::vector<std::vector<std::size_t>> connectedGroups(const std::vector<Vec3d>& points,
+                                                      double reach_m);
+
+}  // namespace ice_ice_baby

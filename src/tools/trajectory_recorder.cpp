@@ -1,0 +1,49 @@
+#include "trajectory_recorder.h"
+
+#include <vector>
+
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// NumPy wants the data at a multiple of 64 bytes; two lines leave room for any shape.
+constexpr std::size_t kHeader_bytes = 128;
+
+}  // namespace
+
+TrajectoryRecorder::TrajectoryRecorder(std::string path, std::size_t particles)
+    : path_(std::move(path)), file_(path_, std::ios::binary), particles_(particles) {
+  writeHeader();
+}
+
+void TrajectoryRecorder::add(const FrameView& frame) {
+  std::vector<float> row;
+  row.reserve(3 * particles_);
+  for (const ParticleSample& p : frame.particles) row.insert(row.end(), {p.x, p.y, p.z});
+  file_.write(reinterpret_cast<const char*>(row.data()),
+              std::streamsize(row.size() * sizeof(float)));
+  ++frames_;
+  writeHeader();
+}
+
+/// The number of frames is known only at the end, and a run may be stopped: the header is written
+/// anew after every frame, so the file can always be read.
+void TrajectoryRecorder::writeHeader() {
+  std::string header("\x93NUMPY\x01\x00", 8);
+  const std::size_t length = kHeader_bytes - 10;
+  header += char(length % 256);
+  header += char(length / 256);
+  header += "{'descr': '<f4', 'fortran_order': False, 'shape': (" + std::to_string(frames_) + ", " +
+            std::to_string(particles_) + ", 3), }";
+  header.resize(kHeader_bytes - 1, ' ');
+  header += '\n';
+  file_.seekp(0);
+  file_.write(header.data(), std::streamsize(header.size()));
+  file_.seekp(0, std::ios::end);
+  file_.flush();
+  if (!file_) throw InvalidInput("cannot write the record to " + path_);
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,29 @@
+// Where every particle was in every frame, as one array that NumPy reads.
+#pragma once
+
+#include <fstream>
+#include <string>
+
+#include "frame_view.h"
+
+namespace ice_ice_baby {
+
+/// A .npy file, format version 1.0: float32 in the order (frame, id, xyz), m; frame 0 is the start.
+class TrajectoryRecorder {
+ public:
+  /// @throws InvalidInput when the file cannot be written
+  TrajectoryRecorder(std::string path, std::size_t particles);
+
+  /// @throws InvalidInput when the file cannot be written
+  void add(const FrameView& frame);
+
+ private:
+  void writeHeader();
+
+  std::string path_;
+  std::ofstream file_;
+  std::size_t particles_;
+  std::size_t frames_ = 0;
+};
+
+}  // namespace ice_ice_baby

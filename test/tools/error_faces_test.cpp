@@ -1,0 +1,89 @@
+#include "error_faces.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+
+#include "frame_loop.h"
+#include "ice_ice_baby/scene_loader.h"
+
+namespace ice_ice_baby {
+namespace {
+
+constexpr char kPool[] = R"(
+fluid: {spacing_m: 0.05}
+blocks: [{min_m: [-0.2, -0.2, 0], max_m: [0.2, 0.2, 0.3]}]
+containers: [{name: tank, size_m: [0.4, 0.4, 0.6]}]
+)";
+
+std::map<std::string, double> facesOf(const std::vector<Override>& changes, double duration_s,
+                                      const char* yaml = kPool) {
+  const auto simulation = makeSimulation(parseScene(yaml, changes), Precision::kFloat, 1);
+  std::map<std::string, double> faces;
+  for (const ErrorFace& face : runFrames(*simulation, {}, duration_s).faces) {
+    faces[face.name] = face.value;
+  }
+  return faces;
+}
+
+TEST(ErrorFaces, AColumnThatStandsLosesNothing) {
+  const auto faces = facesOf({}, 1.0);
+  EXPECT_NEAR(faces.at("column_height_m"), 0.3, 0.01);
+  EXPECT_NEAR(faces.at("column_height_lost"), 0.0, 0.03);
+  EXPECT_NEAR(faces.at("energy_drift"), 0.0, 0.02);
+  EXPECT_LT(faces.at("energy_rise"), 0.02);
+  EXPECT_LT(faces.at("volume_lost"), 0.01);
+  EXPECT_LE(faces.at("volume_lost"), faces.at("density_mean"));
+}
+
+TEST(ErrorFaces, AColumnThatCannotStandSinks) {
+  const auto weak = facesOf({{"solver.substeps", "1"}, {"solver.relaxation", "0.05"}}, 1.0);
+  EXPECT_GT(weak.at("column_height_lost"), 0.05);
+  EXPECT_GT(weak.at("density_mean"), 0.01);
+}
+
+TEST(ErrorFaces, AreThereOnlyWhereTheSceneHasThem) {
+  const auto pool = facesOf({}, 0.1);
+  EXPECT_EQ(pool.count("front_error"), 0u);
+  EXPECT_EQ(pool.count("ice_drift_spacings"), 0u);
+  for (const std::vector<Override>& not_a_column :
+       std::vector<std::vector<Override>>{{{"blocks.0.max_m", "[0, 0.2, 0.3]"}},      // a dam
+                                          {{"blocks.0.min_m", "[-0.2, -0.2, 0.1]"}},  // falls
+                                          {{"blocks.0.velocity_m_s", "[0, 0, 1]"}},
+                                          {{"containers.0.rpy_deg", "[0, 10, 0]"}},
+                                          {{"gravity_m_s2", "[1, 0, -9]"}},
+                                          {{"spheres", "[{name: ball}]"}}}) {
+    EXPECT_EQ(facesOf(not_a_column, 0.05).count("column_height_m"), 0u) << not_a_column[0].key;
+  }
+  EXPECT_EQ(facesOf({{"gravity_m_s2", "[0, 0, 0]"}}, 0.05).count("energy_drift"), 0u);
+  EXPECT_TRUE(facesOf({}, 0.0).count("density_mean") == 0u) << "no frame, no density";
+  EXPECT_NO_THROW(facesOf({{"blocks", "[]"}}, 0.05));
+}
+
+TEST(ErrorFaces, ADamOfTheRightShapeIsComparedWithTheExperiment) {
+  const std::vector<Override> dam{{"blocks.0.max_m", "[-0.1, 0.2, 0.2]"},
+                                  {"blocks.0.min_m", "[-0.2, -0.2, 0]"},
+                                  {"containers.0.position_m", "[0.3, 0, 0]"},
+                                  {"containers.0.size_m", "[1, 0.4, 0.6]"},
+                                  {"containers.0.friction", "0"}};
+  const auto long_enough = facesOf(dam, 0.35);
+  EXPECT_LT(long_enough.at("front_error"), 0.35);  // two particles across
+  EXPECT_GT(long_enough.at("front_error"), 0.0);
+  auto too_high = dam;
+  too_high[0].value = "[-0.1, 0.2, 0.3]";
+  EXPECT_EQ(facesOf(too_high, 0.35).count("front_error"), 0u);
+}
+
+TEST(ErrorFaces, IceIsJudgedFromTheFrameInWhichItFroze) {
+  const auto faces = facesOf({{"temperature.initial_c", "-5"}}, 1.0);
+  EXPECT_LT(faces.at("ice_drift_spacings"), 0.05);
+  EXPECT_LT(faces.at("ice_residual_speed_m_s"), 0.05);
+  EXPECT_EQ(facesOf({{"temperature.initial_c", "-5"}}, 0.2).count("ice_residual_speed_m_s"), 0u)
+      << "not frozen for half a second yet";
+  const std::vector<Override> never{{"schedule", "[{at_s: 0.1, celsius: 1}]"}};
+  EXPECT_EQ(facesOf(never, 0.3).count("ice_drift_spacings"), 0u);
+}
+
+}  // namespace
+}  // namespace ice_ice_baby
