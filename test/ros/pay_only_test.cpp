@@ -1,0 +1,173 @@
+// Messages cost only those who listen: what the topics ask of the simulation, call by call.
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <map>
+
+#include "frames.h"
+#include "ice_ice_baby/scene_loader.h"
+#include "topics.h"
+
+namespace ice_ice_baby {
+namespace {
+
+/// Counts what is asked of a simulation.
+class Watched final : public Simulation {
+ public:
+  explicit Watched(const Scene& scene) : real_(makeSimulation(scene, Precision::kFloat, 1)) {}
+
+  const StepReport& advanceFrame() override { return real_->advanceFrame(); }
+  const StepReport& report() const override { return real_->report(); }
+  const Scene& scene() const override { return real_->scene(); }
+  void setTemperature(double c, double s) override { real_->setTemperature(c, s); }
+  void setGravity(const Vec3d& gravity) override { real_->setGravity(gravity); }
+  void moveCollider(const std::string& name, const Posed& pose) override {
+    ++moves;
+    real_->moveCollider(name, pose);
+  }
+  Posed colliderPose(const std::string& name) const override {
+    ++poses;
+    return real_->colliderPose(name);
+  }
+  void sample(std::vector<ParticleSample>& out, std::size_t stride) const override {
+    ++samples;
+    real_->sample(out, stride);
+  }
+  void sampleSprings(std::vector<SpringSample>& out, std::size_t limit) const override {
+    ++spring_samples;
+    real_->sampleSprings(out, limit);
+  }
+  DensityError measureDensityError() override { return real_->measureDensityError(); }
+  std::size_t countEscaped() const override { return real_->countEscaped(); }
+  std::vector<StageStats> stages() const override { return real_->stages(); }
+  std::uint64_t stateHash() const override { return real_->stateHash(); }
+
+  mutable int samples = 0, spring_samples = 0, poses = 0, moves = 0;
+
+ private:
+  std::unique_ptr<Simulation> real_;
+};
+
+class PayOnly : public testing::Test {
+ protected:
+  PayOnly() : simulation_(loadScene("small")) {
+    parameters_.particles_rate_hz = parameters_.state_rate_hz = 1000.0;
+    topics_ = std::make_unique<Topics>(node_, parameters_);
+    topics_->sceneStarted(simulation_, ros::Time::now());
+    simulation_.poses = 0;
+  }
+
+  /// What the simulation thread does after a frame.
+  void tick() {
+    Snapshot snapshot;
+    snapshot.report = simulation_.report();
+    topics_->publish(simulation_, snapshot, ros::Time::now(), false, false);
+  }
+
+  void runFrames(int count) {
+    for (int k = 0; k < count; ++k) {
+      ros::WallDuration(0.002).sleep();  // longer than the 1000 Hz that the topics allow
+      simulation_.advanceFrame();
+      tick();
+    }
+  }
+
+  std::map<std::string, std::uint64_t> messages() const {
+    std::map<std::string, std::uint64_t> messages;
+    for (const TopicLoad& load : topics_->loads()) {
+      messages[load.name.substr(load.name.rfind('/') + 1)] = load.messages;
+    }
+    return messages;
+  }
+
+  /// A subscriber from the moment on at which the topics have answered that it is new.
+  template <class Message>
+  ros::Subscriber subscribe(const std::string& topic, int& received) {
+    const auto subscriber = node_.subscribe<Message>(
+        topic, 100, [&received](const typename Message::ConstPtr&) { ++received; });
+    for (int k = 0; k < 40 || received == 0; ++k) {
+      if (k == 2000) throw std::runtime_error("no message on " + topic);
+      ros::WallDuration(0.005).sleep();
+      ros::spinOnce();
+      tick();
+    }
+    received = 0;
+    return subscriber;
+  }
+
+  ros::NodeHandle node_{"~"};
+  NodeParameters parameters_;
+  Watched simulation_;
+  std::unique_ptr<Topics> topics_;
+};
+
+TEST_F(PayOnly, NobodySubscribesSoNothingIsBuilt) {
+  const auto before = messages();
+  runFrames(50);
+  EXPECT_EQ(messages(), before);
+  EXPECT_EQ(simulation_.samples, 0);
+  EXPECT_EQ(simulation_.spring_samples, 0);
+  EXPECT_EQ(simulation_.poses, 0);
+}
+
+TEST_F(PayOnly, OneSubscriberCostsOneMessageAFrameAndOnlyItsOwn) {
+  int received = 0;
+  const auto subscriber = subscribe<sensor_msgs::PointCloud2>("particles", received);
+  auto expected = messages();
+  simulation_.samples = 0;
+  runFrames(50);
+  expected["particles"] += 50;
+  EXPECT_EQ(messages(), expected);
+  EXPECT_EQ(simulation_.samples, 50);
+  EXPECT_EQ(simulation_.spring_samples, 0);
+  EXPECT_EQ(simulation_.poses, 0);
+  for (int k = 0; k < 1000 && received < 50; ++k) {
+    ros::WallDuration(0.005).sleep();
+    ros::spinOnce();
+  }
+  EXPECT_EQ(received, 50);
+}
+
+TEST_F(PayOnly, ATickWithoutAFrameBuildsNothing) {
+  int received = 0;
+  const auto subscriber = subscribe<sensor_msgs::PointCloud2>("particles", received);
+  runFrames(1);
+  simulation_.samples = 0;
+  for (int k = 0; k < 20; ++k) tick();
+  EXPECT_EQ(simulation_.samples, 0);
+}
+
+TEST_F(PayOnly, WhoWentCostsNothingMore) {
+  int received = 0;
+  subscribe<sensor_msgs::PointCloud2>("particles", received).shutdown();
+  const auto before = messages();
+  simulation_.samples = 0;
+  runFrames(20);
+  EXPECT_EQ(messages(), before);
+  EXPECT_EQ(simulation_.samples, 0);
+}
+
+TEST_F(PayOnly, CollidersThatFollowNothingAreNeitherMovedNorLookedAt) {
+  Frames frames(node_, parameters_, simulation_.scene());
+  frames.sceneStarted(simulation_, ros::Time::now());
+  simulation_.poses = 0;
+  for (int k = 0; k < 20; ++k) {
+    frames.moveFollowers(simulation_);
+    simulation_.advanceFrame();
+    EXPECT_FALSE(frames.publishFollowers(simulation_, ros::Time::now()));
+  }
+  EXPECT_EQ(simulation_.poses, 0);
+  EXPECT_EQ(simulation_.moves, 0);
+}
+
+}  // namespace
+}  // namespace ice_ice_baby
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "pay_only_test");
+  const ros::NodeHandle keep_started;
+  return RUN_ALL_TESTS();
+}
