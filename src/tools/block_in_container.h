@@ -8,7 +8,8 @@
 
 namespace ice_ice_baby {
 
-/// Lengths between faces of the block and of the container, m; all 0 for a block that fills it.
+/// Lengths between faces of the block and of the container, m; all 0 for a block that fills it. The
+/// block is as large as its particles make it, which is a whole number of spacings.
 struct BlockInContainer {
   Vec3d min_gap_m, max_gap_m;  ///< towards the lower and the upper walls
   Vec3d block_size_m, container_size_m;

@@ -10,7 +10,7 @@ namespace ice_ice_baby {
 std::unique_ptr<ColumnWatch> ColumnWatch::forScene(const FrameView& start) {
   const auto block = blockInContainer(start);
   if (!block || start.particles.empty()) return nullptr;
-  const double little_m = 0.6 * start.scene().fluid.spacing_m;  // less than a particle fits in
+  const double little_m = 0.25 * start.scene().fluid.spacing_m;
   const bool fills =
       block->min_gap_m.maxCoeff() < little_m && block->max_gap_m.head<2>().maxCoeff() < little_m;
   if (!fills) return nullptr;
