@@ -20,20 +20,27 @@ template <class Real>
 struct BoxShape {
   Vec3<Real> low;
   Vec3<Real> high;
+
+  bool holds(const Vec3<Real>& point) const {
+    return (point.array() > low.array()).all() && (point.array() < high.array()).all();
+  }
 };
 
 /// Container in its own frame: floor of the inner box at z = 0, rim at inner.high.z.
 /// `inner` is shrunk and `outer` grown by the particle radius, so both bound particle centres.
+/// `middle` runs within the walls: on which side of it a centre lies tells on which side of the
+/// wall it belongs, also when rounding has put it a hair into the wall.
 template <class Real>
 struct ContainerShape {
   BoxShape<Real> inner;
   BoxShape<Real> outer;
+  BoxShape<Real> middle;
   bool open_top;
 
   /// Nearest allowed end of a path from `from` to `to`: what was inside stays inside unless it
   /// passes the open mouth, what was outside stays outside unless it enters by the mouth.
   Vec3<Real> resolve(const Vec3<Real>& from, const Vec3<Real>& to) const;
-  bool inside(const Vec3<Real>& point) const;
+  bool inside(const Vec3<Real>& point) const { return middle.holds(point); }
 };
 
 /// Ground below z = 0, or a plate; bounds particle centres like ContainerShape.

@@ -17,23 +17,36 @@ class DensityConstraint {
   /// @param walls density of colliders, or null where the scene has none or leaves it out
   DensityConstraint(const Scene& scene, const WallDensity<Real>* walls);
 
+  /// Begins a substep: moves x* by the share `solver.warm_start` of what the latest one corrected,
+  /// so that the iterations only have to find the change.
+  void warmStart(Particles<Real>& particles);
+
   /// lambda_i of every particle (Eq. 5), times the relaxation.
   void computeLambda(const Particles<Real>& particles, const Neighbours<Real>& neighbours);
 
-  /// Delta p_i of every particle (Eq. 6), bounded by the largest correction.
+  /// Delta p_i of every particle (Eq. 6), bounded by the largest correction, and its sum over the
+  /// iterations of the substep.
   void computeDeltaP(const Particles<Real>& particles, const Neighbours<Real>& neighbours);
 
+  /// Puts particle order[k] at place k, as Particles::reorder does.
+  void reorder(const std::vector<Index>& order);
+
+  bool warmStarts() const { return warm_start_ > 0; }
   const VectorField<Real>& deltaP() const { return delta_p_; }
   VectorField<Real>& deltaP() { return delta_p_; }
   /// (n) rho_i / rho_0 of the latest computeLambda.
   const std::vector<Real>& density() const { return density_; }
   const std::vector<Real>& lambda() const { return lambda_; }
+  /// (n) sum of lambda over the iterations of the latest substep and what it was started with, m^2:
+  /// -rho_0 / dt^2 of it is the pressure.
+  const std::vector<Real>& multiplier() const { return multiplier_; }
 
   std::size_t bytes() const;
 
  private:
   void resize(std::size_t n);
-  void finishLambda(std::size_t i, const Vec3<Real>& position);
+  void addWalls(const VectorField<Real>& x, std::size_t first, std::size_t last);
+  void finishLambda(std::size_t i);
   void finishDeltaP(std::size_t i);
 
   const WallDensity<Real>* walls_;
@@ -45,12 +58,15 @@ class DensityConstraint {
   Real relaxation_;
   Real epsilon_;  ///< 1/m^2
   bool resist_tension_;
+  Real warm_start_;
   Real max_correction_;              ///< m; 0: unlimited
   PackedRows<Real> positions_;       ///< (n, 4) x_i* and lambda_i
   std::vector<Real> density_;        ///< (n) rho_i / rho_0
   std::vector<Real> lambda_;         ///< (n) m^2
   VectorField<Real> delta_p_;        ///< (n) m; before that the sums of computeLambda
-  VectorField<Real> wall_gradient_;  ///< (n) 1/m; empty without walls
+  VectorField<Real> wall_gradient_;  ///< (n) m, in the scale of the sums; empty without walls
+  std::vector<Real> multiplier_;     ///< (n) m^2
+  VectorField<Real> correction_;  ///< (n) m, what the substep corrected; empty without warm start
 };
 
 }  // namespace ice_ice_baby

@@ -61,10 +61,11 @@ void describe(FluidParams& p, Visitor&& visit) {
 
 struct SolverParams {
   double frame_rate_hz = 60.0;
-  int substeps = 8;
-  int iterations = 1;
+  int substeps = 6;
+  int iterations = 2;
   double relaxation = 0.7;
   double epsilon = 0.01;
+  double warm_start = 0.5;
   bool resist_tension = false;
   double viscosity_1_s = 30.0;
   double max_correction_h = 0.1;
@@ -82,6 +83,9 @@ void describe(SolverParams& p, Visitor&& visit) {
         "factor on lambda; above 0.7 the simultaneous corrections overshoot (paper: 1)");
   visit("epsilon", p.epsilon, Range{0.0, 1e3},
         "epsilon of Eq. 5 times h^2, so that it does not depend on scale (paper: 9e-5)");
+  visit("warm_start", p.warm_start, Range{0.0, 0.6},
+        "share of the latest substep's corrections that the next one starts with; above 2/3 they "
+        "build up without end (paper: 0)");
   visit("resist_tension", p.resist_tension,
         "whether density below rest also corrects: Eq. 5 unclamped, which clumps and can explode");
   visit(

@@ -48,6 +48,7 @@ struct ParticleSample {
   float temperature_c;
   float ice_fraction;  ///< 0 water ... 1 ice
   float density;       ///< relative to rest density, the solver's own kernel
+  float pressure_pa;   ///< what the solver's corrections amount to in the latest substep
   std::uint32_t id;
 };
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "ice_ice_baby/clearance.h"
 #include "ice_ice_baby/colliders.h"
 #include "ice_ice_baby/kernels.h"
 
@@ -30,6 +31,15 @@ class WallDensity {
   WallDensity(const Scene& scene, const Colliders<Real>& colliders, double volume_m3);
 
   WallSample<Real> at(const Vec3<Real>& point) const;
+
+  /// Calls visit(i, sample) for every point of first ... last - 1 that a collider may be near.
+  template <class Visit>
+  void forEachNear(const VectorField<Real>& points, std::size_t first, std::size_t last,
+                   const Visit& visit) const {
+    const Real margin = static_cast<Real>(h_) - radius_;
+    ice_ice_baby::forEachNear(colliders_, Paths<Real>{points, points}, margin, first, last,
+                              [&](std::size_t i) { visit(i, at(points.at(i))); });
+  }
 
   std::size_t bytes() const;
 
@@ -63,6 +73,7 @@ class WallDensity {
   Table tabulate(const Function& function) const;
 
   EdgeTable edge() const;
+  std::vector<Real> corner() const;
   double ghosts(const std::array<double, 3>& distances, int walls) const;
   WallSample<Real> inBox(const NearWall* walls, int count) const;
   void addCorner(const std::array<NearWall, 3>& walls, WallSample<Real>& sample) const;
@@ -80,6 +91,7 @@ class WallDensity {
   Real radius_;
   Table plane_;
   EdgeTable edge_;
+  std::vector<Real> corner_;  ///< what three walls share, over the distances to all
   std::vector<Table> spheres_;
 };
 

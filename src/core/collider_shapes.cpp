@@ -8,11 +8,6 @@ namespace ice_ice_baby {
 
 namespace {
 
-template <class Real>
-bool contains(const BoxShape<Real>& box, const Vec3<Real>& point) {
-  return (point.array() > box.low.array()).all() && (point.array() < box.high.array()).all();
-}
-
 /// Axis, side and path fraction at which a path enters a box; fraction 2 when it does not.
 template <class Real>
 struct Entry {
@@ -62,7 +57,7 @@ Vec3<Real> pushedOut(const BoxShape<Real>& box, Vec3<Real> point) {
 /// Keeps a path outside a solid box: it slides along the face by which it would enter.
 template <class Real>
 Vec3<Real> keepOutside(const BoxShape<Real>& box, const Vec3<Real>& from, Vec3<Real> to) {
-  const Vec3<Real> start = contains(box, from) ? pushedOut(box, from) : from;
+  const Vec3<Real> start = box.holds(from) ? pushedOut(box, from) : from;
   const Entry<Real> entry = enter(box, start, to);
   if (entry.fraction > 1) return to;
   to[entry.axis] = entry.high ? box.high[entry.axis] : box.low[entry.axis];
@@ -97,27 +92,12 @@ Vec3<Real> enterBall(Real radius, const Vec3<Real>& from, const Vec3<Real>& to) 
   return (outside + fraction * path).normalized() * radius;
 }
 
-/// Halfway between the inner and the outer face: what side of it a centre lies on tells on which
-/// side of the wall it belongs, also when rounding has put it a hair into the wall.
-template <class Real>
-BoxShape<Real> middleOfWalls(const ContainerShape<Real>& c) {
-  BoxShape<Real> middle{(c.inner.low + c.outer.low) / 2, (c.inner.high + c.outer.high) / 2};
-  return middle;
-}
-
 }  // namespace
-
-template <class Real>
-bool ContainerShape<Real>::inside(const Vec3<Real>& point) const {
-  const BoxShape<Real> middle = middleOfWalls(*this);
-  return contains(middle, point);
-}
 
 template <class Real>
 Vec3<Real> ContainerShape<Real>::resolve(const Vec3<Real>& from, const Vec3<Real>& to) const {
   const Real rim = inner.high.z();
-  const BoxShape<Real> middle = middleOfWalls(*this);
-  if (contains(middle, from)) {
+  if (middle.holds(from)) {
     const bool leaves =
         open_top && to.z() > rim && withinSides(middle, pathAtHeight(from, to, rim));
     if (leaves) return to;

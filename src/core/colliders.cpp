@@ -31,6 +31,8 @@ ContainerShape<Real> makeShape(const Container& c, double radius) {
     shape.inner.high.z() = static_cast<Real>(high.z());
     shape.outer.high.z() = static_cast<Real>(high.z());
   }
+  shape.middle = {(shape.inner.low + shape.outer.low) / 2,
+                  (shape.inner.high + shape.outer.high) / 2};
   return shape;
 }
 

@@ -21,7 +21,22 @@ DensityConstraint<Real>::DensityConstraint(const Scene& scene, const WallDensity
   relaxation_ = static_cast<Real>(scene.solver.relaxation);
   epsilon_ = static_cast<Real>(scene.solver.epsilon / (h * h));
   resist_tension_ = scene.solver.resist_tension;
+  warm_start_ = static_cast<Real>(scene.solver.warm_start);
   max_correction_ = static_cast<Real>(scene.solver.max_correction_h * h);
+}
+
+/// With the corrections themselves and not with their lambda: it costs no pass over pairs, and as
+/// those of all particles still cancel out, it keeps momentum.
+template <class Real>
+void DensityConstraint<Real>::warmStart(Particles<Real>& particles) {
+  resize(particles.size());
+  parallelFor(particles.size(), [&](std::size_t i) {
+    multiplier_[i] *= warm_start_;
+    if (!warmStarts()) return;
+    const Vec3<Real> start = warm_start_ * correction_.at(i);
+    correction_.set(i, start);
+    particles.predicted.add(i, start);
+  });
 }
 
 template <class Real>
@@ -33,23 +48,31 @@ void DensityConstraint<Real>::computeLambda(const Particles<Real>& particles,
   const PairInput<Real> pairs{neighbours, positions_.data(), nullptr, support_};
   parallelForRanges(x.size(), [&](std::size_t first, std::size_t last) {
     passes_.sumConstraint(pairs, {density_, lambda_, delta_p_}, {first, last});
-    for (std::size_t i = first; i < last; ++i) finishLambda(i, x.at(i));
+    if (walls_) addWalls(x, first, last);
+    for (std::size_t i = first; i < last; ++i) finishLambda(i);
+  });
+}
+
+/// Adds what walls contribute, in the scale of the sums over neighbours.
+template <class Real>
+void DensityConstraint<Real>::addWalls(const VectorField<Real>& x, std::size_t first,
+                                       std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) wall_gradient_.set(i, Vec3<Real>::Zero());
+  walls_->forEachNear(x, first, last, [&](std::size_t i, const WallSample<Real>& wall) {
+    density_[i] += wall.value / weight_scale_;
+    const Vec3<Real> gradient = wall.gradient / gradient_scale_;
+    delta_p_.add(i, gradient);
+    wall_gradient_.set(i, gradient);
   });
 }
 
 /// Turns the sums over neighbours, which lie where the results will, into density and lambda.
 template <class Real>
-void DensityConstraint<Real>::finishLambda(std::size_t i, const Vec3<Real>& position) {
-  Real relative = self_ + weight_scale_ * density_[i];
-  Vec3<Real> own = gradient_scale_ * delta_p_.at(i);  // grad_i C_i, Eq. 4 for itself
+void DensityConstraint<Real>::finishLambda(std::size_t i) {
+  const Real relative = self_ + weight_scale_ * density_[i];
+  const Vec3<Real> own = gradient_scale_ * delta_p_.at(i);  // grad_i C_i, Eq. 4 for itself
   const Real slope_scale = gradient_scale_ * support_;
   const Real others = slope_scale * slope_scale * lambda_[i];  // |grad_j C_i|^2, for a neighbour
-  if (walls_) {
-    const WallSample<Real> wall = walls_->at(position);
-    relative += wall.value;
-    own += wall.gradient;
-    wall_gradient_.set(i, wall.gradient);
-  }
   density_[i] = relative;
   Real constraint = relative - 1;  // Eq. 2
   if (!resist_tension_) constraint = std::max(constraint, Real(0));
@@ -70,14 +93,16 @@ void DensityConstraint<Real>::computeDeltaP(const Particles<Real>& particles,
 
 template <class Real>
 void DensityConstraint<Real>::finishDeltaP(std::size_t i) {
-  Vec3<Real> sum = gradient_scale_ * delta_p_.at(i);  // Eq. 6
-  // A wall mirrors the particle's own lambda: it presses back as water would.
-  if (walls_) sum += 2 * lambda_[i] * wall_gradient_.at(i);
+  Vec3<Real> sum = delta_p_.at(i);  // Eq. 6
+  if (walls_) sum += lambda_[i] * wall_gradient_.at(i);
+  sum *= gradient_scale_;
   const Real length2 = sum.squaredNorm();
   if (max_correction_ > 0 && length2 > max_correction_ * max_correction_) {
     sum *= max_correction_ / std::sqrt(length2);
   }
   delta_p_.set(i, sum);
+  multiplier_[i] += lambda_[i];
+  if (warmStarts()) correction_.add(i, sum);
 }
 
 template <class Real>
@@ -85,13 +110,22 @@ void DensityConstraint<Real>::resize(std::size_t n) {
   density_.resize(n);
   lambda_.resize(n);
   delta_p_.resize(n);
+  multiplier_.resize(n);
   if (walls_) wall_gradient_.resize(n);
+  if (warmStarts()) correction_.resize(n);
+}
+
+template <class Real>
+void DensityConstraint<Real>::reorder(const std::vector<Index>& order) {
+  resize(order.size());
+  permute(multiplier_, order);
+  if (warmStarts()) permute(correction_, order);
 }
 
 template <class Real>
 std::size_t DensityConstraint<Real>::bytes() const {
-  return (density_.capacity() + lambda_.capacity()) * sizeof(Real) + delta_p_.bytes() +
-         wall_gradient_.bytes() + positions_.bytes();
+  return (density_.capacity() + lambda_.capacity() + multiplier_.capacity()) * sizeof(Real) +
+         delta_p_.bytes() + wall_gradient_.bytes() + correction_.bytes() + positions_.bytes();
 }
 
 template class DensityConstraint<float>;

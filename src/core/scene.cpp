@@ -191,6 +191,7 @@ void applyPreset(Scene& scene, Preset preset, double spacing_m) {
   solver.iterations = 4;
   solver.relaxation = 1.0;
   solver.epsilon = kPaperEpsilon_1_m2 * kPaperSupportRadius_m * kPaperSupportRadius_m;
+  solver.warm_start = 0.0;
   solver.resist_tension = false;
   solver.viscosity_1_s = 0.0;
   solver.max_correction_h = 0.0;

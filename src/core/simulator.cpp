@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "ice_ice_baby/clearance.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/parallel.h"
 
@@ -90,7 +91,10 @@ void Simulator<Real>::runSubsteps() {
 template <class Real>
 void Simulator<Real>::substep(double dt_s) {
   const Real dt = static_cast<Real>(dt_s);
-  predict_clock_.run([&] { applyForcesAndPredict(dt); });
+  predict_clock_.run([&] {
+    applyForcesAndPredict(dt);
+    density_->warmStart(particles_);
+  });
   neighbours_clock_.run([&] { findNeighbours(); });
   if (strictness_ > 0.0) make_springs_clock_.run([&] { makeSprings(); });
 
@@ -125,6 +129,7 @@ void Simulator<Real>::findNeighbours() {
   if (!neighbours_.stale(particles_.predicted)) return;
   const std::vector<Index>& order = neighbours_.sortOrder(particles_.predicted);
   particles_.reorder(order);
+  density_->reorder(order);
   if (springs_) springs_->renumber(order);
   neighbours_.build(particles_.predicted);
   if (neighbours_.coincident()) separateCoincident();
@@ -167,11 +172,14 @@ void Simulator<Real>::correctSprings(double dt_s) {
 template <class Real>
 void Simulator<Real>::respondToCollisions() {
   VectorField<Real>& delta_p = density_->deltaP();
-  parallelFor(particles_.size(), [&](std::size_t i) {
-    const Vec3<Real> predicted = particles_.predicted.at(i);
-    const Vec3<Real> wanted = predicted + delta_p.at(i);
-    const Vec3<Real> end = colliders_.respond(particles_.position.at(i), wanted, sticks());
-    delta_p.set(i, end - predicted);
+  const Paths<Real> paths{particles_.position, particles_.predicted, &delta_p};
+  parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
+    forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
+      const Vec3<Real> predicted = particles_.predicted.at(i);
+      const Vec3<Real> wanted = predicted + delta_p.at(i);
+      const Vec3<Real> end = colliders_.respond(particles_.position.at(i), wanted, sticks());
+      delta_p.set(i, end - predicted);
+    });
   });
 }
 
@@ -185,9 +193,12 @@ void Simulator<Real>::updatePredicted() {
 /// Takes what springs or plain flight pushed into a collider out of it again.
 template <class Real>
 void Simulator<Real>::finishCollisions() {
-  parallelFor(particles_.size(), [&](std::size_t i) {
-    const Vec3<Real> wanted = particles_.predicted.at(i);
-    particles_.predicted.set(i, colliders_.respond(particles_.position.at(i), wanted, sticks()));
+  const Paths<Real> paths{particles_.position, particles_.predicted};
+  parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
+    forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
+      const Vec3<Real> wanted = particles_.predicted.at(i);
+      particles_.predicted.set(i, colliders_.respond(particles_.position.at(i), wanted, sticks()));
+    });
   });
 }
 

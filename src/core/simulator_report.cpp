@@ -69,6 +69,8 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
   const std::size_t n = places.size();
   stride = std::max<std::size_t>(stride, 1);
   out.resize((n + stride - 1) / stride);
+  const double substeps_1_s = scene_.solver.frame_rate_hz * scene_.solver.substeps;
+  const double pascal = -scene_.fluid.rest_density_kg_m3 * substeps_1_s * substeps_1_s;
   const auto& x = particles_.position;
   const auto& v = particles_.velocity;
   for (std::size_t k = 0; k < out.size(); ++k) {
@@ -82,6 +84,7 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
               float(report_.temperature_c),
               float(strictness_),
               float(density_->density()[i]),
+              float(pascal * double(density_->multiplier()[i])),
               std::uint32_t(k * stride)};
   }
 }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kTableSize = 512;
 constexpr int kEdgeSize = 64;
+constexpr int kCornerSize = 32;
 
 double kernelValue(KernelPair pair, double h, double r) {
   return pair == KernelPair::kCubic ? CubicSpline<double>(h).w(r) : Poly6<double>(h).w(r);
@@ -34,7 +35,10 @@ WallDensity<Real>::WallDensity(const Scene& scene, const Colliders<Real>& collid
       volume_(volume_m3),
       radius_(static_cast<Real>(spacing_ / 2)) {
   plane_ = halfSpace();
-  if (!colliders.containers.empty()) edge_ = edge();
+  if (!colliders.containers.empty()) {
+    edge_ = edge();
+    corner_ = corner();
+  }
   for (const auto& body : colliders.spheres) spheres_.push_back(ball(body.shape.reach - radius_));
 }
 
@@ -130,18 +134,45 @@ typename WallDensity<Real>::EdgeTable::Sample WallDensity<Real>::EdgeTable::at(R
 }
 
 template <class Real>
+std::vector<Real> WallDensity<Real>::corner() const {
+  std::vector<Real> values;
+  const double step = h_ / kCornerSize;
+  for (int a = 0; a <= kCornerSize; ++a) {
+    for (int b = 0; b <= kCornerSize; ++b) {
+      for (int c = 0; c <= kCornerSize; ++c) {
+        values.push_back(static_cast<Real>(ghosts({a * step, b * step, c * step}, 3)));
+      }
+    }
+  }
+  return values;
+}
+
+/// Adds what three walls share, linear between the nodes of the table.
+template <class Real>
 void WallDensity<Real>::addCorner(const std::array<NearWall, 3>& walls,
                                   WallSample<Real>& sample) const {
-  std::array<double, 3> distances{};
-  for (std::size_t k = 0; k < 3; ++k) distances[k] = std::max(0.0, double(walls[k].distance));
-  sample.value += static_cast<Real>(ghosts(distances, 3));
-  const double step = 1e-4 * h_;
+  const Real per_m = static_cast<Real>(kCornerSize / h_);
+  std::array<std::size_t, 3> cell{};
+  std::array<Real, 3> part{};
   for (std::size_t k = 0; k < 3; ++k) {
-    std::array<double, 3> above = distances, below = distances;
-    above[k] += step;
-    below[k] -= step;
-    const double slope = (ghosts(above, 3) - ghosts(below, 3)) / (2 * step);
-    sample.gradient[walls[k].axis] += walls[k].sign * static_cast<Real>(slope);
+    const Real place = std::max(walls[k].distance, Real(0)) * per_m;
+    cell[k] = std::min(static_cast<std::size_t>(place), std::size_t(kCornerSize - 1));
+    part[k] = place - static_cast<Real>(cell[k]);
+  }
+  for (std::size_t node = 0; node < 8; ++node) {
+    const std::array<std::size_t, 3> up{node >> 2, node >> 1 & 1, node & 1};
+    std::size_t place = 0;
+    std::array<Real, 3> weight{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      place = place * (kCornerSize + 1) + cell[k] + up[k];
+      weight[k] = up[k] ? part[k] : 1 - part[k];
+    }
+    const Real value = corner_[place];
+    sample.value += value * weight[0] * weight[1] * weight[2];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Real slope = (up[k] ? per_m : -per_m) * weight[(k + 1) % 3] * weight[(k + 2) % 3];
+      sample.gradient[walls[k].axis] += walls[k].sign * value * slope;
+    }
   }
 }
 
@@ -173,13 +204,15 @@ template <class Real>
 void WallDensity<Real>::addContainer(const Body<Real, ContainerShape<Real>>& body,
                                      const Vec3<Real>& point, WallSample<Real>& sample) const {
   const Vec3<Real> local = body.motion.to.toLocal(point);
-  if (!body.shape.inside(local)) return;
   const Real h = static_cast<Real>(h_);
-  std::array<NearWall, 6> walls{};
+  const Vec3<Real> from_low = local - body.shape.inner.low;
+  const Vec3<Real> from_high = body.shape.inner.high - local;
+  if (from_low.cwiseMin(from_high).minCoeff() >= h - radius_ || !body.shape.inside(local)) return;
+  std::array<NearWall, 6> walls;
   int count = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const Real low = local[axis] - body.shape.inner.low[axis] + radius_;
-    const Real high = body.shape.inner.high[axis] + radius_ - local[axis];
+    const Real low = from_low[axis] + radius_;
+    const Real high = from_high[axis] + radius_;
     const bool open = axis == 2 && body.shape.open_top;
     if (low < h) walls[std::size_t(count++)] = {axis, low, 1};
     if (high < h && !open) walls[std::size_t(count++)] = {axis, high, -1};
@@ -244,7 +277,8 @@ WallSample<Real> WallDensity<Real>::at(const Vec3<Real>& point) const {
 
 template <class Real>
 std::size_t WallDensity<Real>::bytes() const {
-  std::size_t total = plane_.values.capacity() * sizeof(Real);
+  std::size_t total =
+      (plane_.values.capacity() + edge_.values.capacity() + corner_.capacity()) * sizeof(Real);
   for (const Table& table : spheres_) total += table.values.capacity() * sizeof(Real);
   return total;
 }

@@ -12,10 +12,11 @@ namespace {
 using sensor_msgs::PointField;
 
 // A point begins with the bytes of a sample, so that points are copied, not converted.
-static_assert(sizeof(ParticleSample) == 40 && offsetof(ParticleSample, vx) == 12 &&
+static_assert(sizeof(ParticleSample) == 44 && offsetof(ParticleSample, vx) == 12 &&
                   offsetof(ParticleSample, temperature_c) == 24 &&
                   offsetof(ParticleSample, ice_fraction) == 28 &&
-                  offsetof(ParticleSample, density) == 32 && offsetof(ParticleSample, id) == 36,
+                  offsetof(ParticleSample, density) == 32 &&
+                  offsetof(ParticleSample, pressure_pa) == 36 && offsetof(ParticleSample, id) == 40,
               "the fields below name other bytes than ParticleSample holds");
 
 PointField field(const char* name, std::uint32_t offset, std::uint8_t type) {
@@ -30,8 +31,8 @@ PointField field(const char* name, std::uint32_t offset, std::uint8_t type) {
 std::vector<PointField> fields(bool rgb) {
   std::vector<PointField> out;
   std::uint32_t offset = 0;
-  for (const char* name :
-       {"x", "y", "z", "vx", "vy", "vz", "temperature", "ice_fraction", "density"}) {
+  for (const char* name : {"x", "y", "z", "vx", "vy", "vz", "temperature", "ice_fraction",
+                           "density", "pressure"}) {
     out.push_back(field(name, offset, PointField::FLOAT32));
     offset += 4;
   }

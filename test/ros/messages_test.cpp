@@ -36,7 +36,7 @@ TEST(Cloud, EachFieldHoldsWhatItsNameSays) {
     writeCloud({sampleOf(7, 0.0f), sampleOf(9, 1.0f)}, rgb, cloud);
     ASSERT_EQ(cloud.width, 2u);
     EXPECT_EQ(cloud.height, 1u);
-    EXPECT_EQ(cloud.point_step, rgb ? 44u : 40u);
+    EXPECT_EQ(cloud.point_step, rgb ? 48u : 44u);
     EXPECT_EQ(cloud.row_step, 2 * cloud.point_step);
     EXPECT_EQ(cloud.data.size(), cloud.row_step);
     EXPECT_TRUE(cloud.is_dense);
