@@ -46,7 +46,7 @@ def percent(value):
 
 def shown(row, name):
     value = row.get(name, "")
-    return "–" if value == "" else compact(value * face(name)[2])
+    return "–" if value in ("", None) else compact(value * face(name)[2])
 
 
 def grid_of(header, rows):
@@ -131,15 +131,16 @@ def advice(settings, keys, count=20_000):
 def conclusions(results):
     water = [result for result in results if result.study.water]
     axes = list(dict.fromkeys(key for result in water for key in result.axes))
-    settings = choices.joined([result.rows for result in water], axes)
+    settings = choices.sound(choices.joined([result.rows for result in water], axes))
     if not settings:
-        return "No setting was stable in every scene of water.\n"
+        return "No setting was stable and kept its energy in every scene of water.\n"
     keys = varying([s["keys"] for s in settings], axes)
     names = [result.study.scene for result in water]
     return "\n\n".join([
         advice(settings, keys),
-        f"Each setting is judged by the worst of {', '.join(names[:-1])} and {names[-1]}. Real time holds at any "
-        "frame rate: a viewer at 30 fps shows every second frame of 1/60 s.",
+        f"Each setting is judged by the worst of {', '.join(names[:-1])} and {names[-1]}; those with which energy rises "
+        f"without work by more than {percent(choices.MAX_ENERGY_RISE)} % are left out. Real time holds at any frame "
+        "rate: a viewer at 30 fps shows every second frame of 1/60 s.",
         counts_table(settings, keys),
         targets_table(settings, keys, names),
     ]) + "\n"

@@ -83,6 +83,7 @@ std::vector<std::vector<std::size_t>> connectedGroups(const std::vector<Vec3d>& 
   std::map<std::size_t, std::vector<std::size_t>> by_root;
   for (std::size_t k = 0; k < points.size(); ++k) by_root[forest.root(k)].push_back(k);
   std::vector<std::vector<std::size_t>> groups;
+  groups.reserve(by_root.size());
   for (auto& [root, members] : by_root) groups.push_back(std::move(members));
   return groups;
 }

@@ -120,6 +120,12 @@ class Choices(unittest.TestCase):
         peer["max_error_percent"] = 0.5
         self.assertIsNone(choices.against_peers(self.dam, [peer])[0][1])
 
+    def test_water_that_boils_is_no_choice(self):
+        self.dam[1]["energy_rise"] = 0.03
+        self.pool[1]["energy_rise"] = 0.001
+        settings = choices.sound(choices.joined([self.dam, self.pool], ["solver.substeps"]))
+        self.assertEqual([s["keys"]["solver.substeps"] for s in settings], ["2"])
+
     def test_a_setting_can_be_pasted(self):
         self.assertEqual(choices.overrides({"solver.substeps": "8", "threads": "2"}),
                          "--set solver.substeps=8 --threads 2")
