@@ -94,12 +94,15 @@ def free_fall(run):
     stepped = known.symplectic_fall(10.125, 3.0, time, step)
     speed2 = 1.0 + 4.0 + (3.0 - known.GRAVITY_M_S2 * time) ** 2
     halved = run("free_fall", precision="double", sets=[f"solver.substeps={2 * end.substeps}"])
+    single = run("free_fall", precision="float")
     parabola = known.parabola(10.125, 3.0, time)
     ratio = abs(height[-1] - parabola[-1]) / abs(mean_height(halved)[-1] - parabola[-1])
     return [
         at_most("height against the stepped closed form, relative", relative(height, stepped), 1e-12),
         at_most("kinetic energy against the closed form, relative",
                 relative(end.series["kinetic_energy_j"], 0.5 * end.mass_kg * speed2), 1e-12),
+        at_most("height after 1 s in single precision, apart",
+                1e3 * abs(single.series["mean_z_m"][-1] - stepped[-1]), 1.0, "mm"),
         at_most("error to the parabola for half the step: halves, apart from 2", abs(ratio - 2.0), 1e-6),
     ]
 
@@ -145,7 +148,7 @@ def minute_at_rest(end):
     return [
         *still(end, 50.0),
         at_most("volume drift from the first 15 s to the last 10 s", percent(drift), 1.0, "%"),
-        at_most("energy gained from the first 15 s to the last 10 s", percent(rise), 0.01, "%"),
+        at_most("energy gained from the first 15 s to the last 10 s", percent(rise), 0.1, "%"),
     ]
 
 
@@ -243,12 +246,13 @@ def spinning_disk(run):
 @case()
 def ball_drop(run):
     """a falling ball of water lands when a stone would"""
-    end, step = run("ball_drop", precision="double"), 1.0 / 480
-    flying = end.series["time_s"] < known.fall_time(0.5) - 2 * step
+    end = run("ball_drop", precision="double")
+    frame, step = 1.0 / 480, 1.0 / (480 * end.substeps)
+    flying = end.series["time_s"] < known.fall_time(0.5) - 2 * frame
     stepped = known.symplectic_fall(0.62, 0.0, end.series["time_s"], step)
     return [
         at_most("height while it falls, relative", relative(mean_height(end)[flying], stepped[flying]), 1e-12),
-        landing(end, 0.5, 0.0, step),
+        landing(end, 0.5, 0.0, frame),
         energy_rise(end),
     ]
 
