@@ -12,7 +12,7 @@ SCENES = ("dam_break", "container_splash")
 FRAMES = 3  # each scene has 60 a second
 
 
-def count(tree, scene, frames=FRAMES):
+def count(tree, scene, overrides=(), frames=FRAMES):
     """Instructions that `frames` frames of a scene cost on one thread, set-up left out."""
     if not shutil.which("valgrind"):
         sys.exit("valgrind is missing; scripts/install_dependencies bench")
@@ -21,6 +21,7 @@ def count(tree, scene, frames=FRAMES):
             ["valgrind", "--tool=callgrind", f"--callgrind-out-file={profile.name}"]
             + ["--toggle-collect=ice_ice_baby::Simulator<float>::advanceFrame()"]
             + [tree.program("run_scene"), scene, "--duration", frames / 60.0, "--threads", 1]
+            + [word for override in overrides for word in ("--set", override)]
         )
     return int(re.search(r"Collected : (\d+)", out).group(1))
 

@@ -22,19 +22,19 @@ def write(folder, runs):
     found, progress = Series(), Progress(runs)
     for _ in range(runs):
         progress.step("every micro-benchmark")
-        found.add(microbench(program, ".", wall_time=True))
+        found.add(microbench(program, "."))
     progress.end()
     name = re.sub(r"[^a-z0-9]+", "_", processor().lower()).strip("_")
     path = ROOT / "bench" / "results" / f"{name}.csv"
     path.parent.mkdir(exist_ok=True)
     with open(path, "w", newline="") as file:
         file.write(f"# {processor()}, {os.cpu_count()} processors; commit {commit_name()}; "
-                   f"{datetime.date.today()}; {runs} runs, wall time\n")
+                   f"{datetime.date.today()}; {runs} runs; time: of the processor on one thread, else wall\n")
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["benchmark", "quantity", "unit", "median", "least", "most"])
         for key, values in found.items():
             benchmark, _, quantity = key.partition(" ")
-            unit = "B" if "bytes" in quantity else "s"
+            unit = "B" if quantity.startswith("bytes") else "s"
             numbers = [f"{v:.4g}" for v in (found.median(key), min(values), max(values))]
             writer.writerow([benchmark, quantity or "time", unit, *numbers])
     print(f"wrote {path}")

@@ -9,6 +9,9 @@ import tempfile
 import time
 
 
+PER_EACH = ("per_particle", "per_pair", "per_particle_substep")
+
+
 class Series(dict):
     """Name of a quantity -> its value in each run."""
 
@@ -31,25 +34,25 @@ def differ(a, b):
     return max(a) < min(b) or max(b) < min(a)
 
 
-def microbench(program, pattern, min_time_s=0.1, wall_time=False):
+def microbench(program, pattern, min_time_s=0.1):
     """One run of the micro-benchmarks. Seconds, but for what is named bytes.
 
-    On one thread the processor's time counts, which others on the machine disturb less, unless
-    `wall_time`.
+    On one thread the processor's time counts, which others on the machine disturb less; wall time is
+    beside it as "NAME wall".
     """
     out = output([program, f"--benchmark_filter={pattern}", f"--benchmark_min_time={min_time_s}",
                   "--benchmark_format=json"])
     values = {}
     for b in json.loads(out)["benchmarks"] if out.strip() else []:
         name = re.sub(r"/(real_time|iterations:\d+)", "", b["name"])
-        clock = "cpu_time" if "threads:1" in name and not wall_time else "real_time"
-        seconds = b[clock] * {"ms": 1e-3, "us": 1e-6, "ns": 1e-9}[b["time_unit"]]
-        values[name] = seconds
-        scale = b[clock] / b["real_time"]
+        unit = {"ms": 1e-3, "us": 1e-6, "ns": 1e-9}[b["time_unit"]]
+        own = b["cpu_time"] / b["real_time"] if "threads:1" in name else 1.0
+        values[name] = own * b["real_time"] * unit
+        values[f"{name} wall"] = b["real_time"] * unit
         for key, value in b.items():
-            if key in ("per_particle", "per_pair", "per_particle_substep"):
-                values[f"{name} {key}"] = value * scale
-            elif key.startswith(("stage_", "bytes_")):
+            if key in PER_EACH or key.startswith("stage_"):
+                values[f"{name} {key}"] = own * value
+            elif key.startswith("bytes_"):
                 values[f"{name} {key}"] = value
     return values
 

@@ -17,20 +17,18 @@ def at(name, n, threads):
 def two_at_once(program, pattern):
     """Mean time of two processes of one thread each that run at the same time, per benchmark."""
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        one, other = pool.map(lambda _: wall(program, pattern), range(2))
-    return {f"{name} beside another": (one[name] + other[name]) / 2 for name in one}
-
-
-def wall(program, pattern):
-    return microbench(program, pattern, wall_time=True)
+        one, other = pool.map(lambda _: microbench(program, pattern), range(2))
+    return {
+        f"{name} beside another": (one[name] + other[name]) / 2 for name in one if name.endswith(" wall")
+    }
 
 
 def measure(program):
     """One round of everything that the ratios need."""
     values = {}
-    values.update(wall(program, r"bound/iteration(_skinned)?/n:30000/|scene/.*/n:30000/"))
+    values.update(microbench(program, r"bound/iteration(_skinned)?/n:30000/|scene/.*/n:30000/"))
     values.update(two_at_once(program, f"{POOL}/n:30000/threads:1|{BOUND}/n:30000/threads:1"))
-    values.update(wall(program, f"({POOL}|{BOUND}|neighbours/build)/n:(30000|1000000)/threads:1"))
+    values.update(microbench(program, f"({POOL}|{BOUND}|neighbours/build)/n:(30000|1000000)/threads:1"))
     return values
 
 
@@ -74,12 +72,12 @@ def bound_lines(found):
 def thread_lines(found):
     lines = []
     for name in (POOL, DAM, "scene/floating", BOUND):
-        one, two = found.median(at(name, 30000, 1)), found.median(at(name, 30000, 2))
+        one, two = (found.median(at(name, 30000, threads) + " wall") for threads in (1, 2))
         target = "target 1.8" if name.startswith("scene") else ""
         lines.append(ratio_line(f"{name}: two threads / one, speed", one / two, target))
     for name in (POOL, BOUND):
-        alone = found.median(at(name, 30000, 1))
-        beside = found.median(at(name, 30000, 1) + " beside another")
+        alone = found.median(at(name, 30000, 1) + " wall")
+        beside = found.median(at(name, 30000, 1) + " wall beside another")
         lines.append(ratio_line(f"{name}: two processes of one thread / one, speed",
                                 2 * alone / beside, "what the machine allows"))
     return lines
