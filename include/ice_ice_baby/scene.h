@@ -12,12 +12,13 @@ enum class BlockShape { kBox, kBall, kCylinder };
 inline std::vector<std::string> choices(BlockShape) { return {"box", "ball", "cylinder"}; }
 
 /// Water on a cubic lattice that fills a box, or the ball or upright cylinder that touches all
-/// sides of it (an ellipsoid or an elliptic cylinder where they differ); with `sheet`, a cloth
-/// joined by springs that never melt.
+/// sides of it (an ellipsoid or an elliptic cylinder where they differ), then turned with its
+/// lattice about its centre; with `sheet`, a cloth joined by springs that never melt.
 struct Block {
   BlockShape shape = BlockShape::kBox;
   Vec3d min_m = Vec3d::Zero();
   Vec3d max_m = Vec3d::Zero();
+  Vec3d rpy_deg = Vec3d::Zero();
   Vec3d velocity_m_s = Vec3d::Zero();
   Mat3<double> velocity_gradient_1_s = Mat3<double>::Zero();  ///< row: of one velocity component
   Vec3d spin_rad_s = Vec3d::Zero();

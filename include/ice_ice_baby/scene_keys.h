@@ -18,6 +18,8 @@ void describe(Block& b, Visitor&& visit) {
         "the whole box from min_m to max_m, or the ball or upright cylinder that just fits in it");
   visit("min_m", b.min_m, kCoordinateRange_m, "lower corner");
   visit("max_m", b.max_m, kCoordinateRange_m, "upper corner");
+  visit("rpy_deg", b.rpy_deg, Range{-360.0, 360.0},
+        "roll, pitch, yaw by which the block and its lattice are turned about its centre");
   visit("velocity_m_s", b.velocity_m_s, Range{-1e3, 1e3}, "velocity of the centre at the start");
   visit("velocity_gradient_1_s", b.velocity_gradient_1_s, Range{-1e3, 1e3},
         "added velocity per metre from the centre: rows of vx, vy, vz, columns along x, y, z");

@@ -23,7 +23,7 @@ FACES = {
     "volume_lost": ("volume lost to compression", "%", 100),
     "energy_drift": ("energy at the end against the start", "%", 100),
     "energy_rise": ("energy risen without work", "%", 100),
-    "column_height_lost": ("height lost by the column", "%", 100),
+    "column_height_lost": ("column height off by", "%", 100),
     "front_error": ("dam front, against Martin & Moyce", "%", 100),
     "ice_drift_spacings": ("ice, away from rigid motion", "spacings", 1),
     "ice_residual_speed_m_s": ("ice, speed at rest", "mm/s", 1000),

@@ -74,7 +74,7 @@ def series_of(rows, axes):
 def value_of(row, name):
     """A face in the unit in which it is drawn; None where the row has none."""
     value = row.get(name, "")
-    if value == "" or not math.isfinite(value):
+    if value in ("", None) or not math.isfinite(value):
         return None
     return abs(value) * face(name)[2]
 
@@ -87,10 +87,10 @@ def plain(value, _=None):
     return f"{value:,.0f}" if value >= 1000 else f"{value:g}"
 
 
-def log_axis(axis):
-    """Plain numbers at 1, 2, 5, for an axis that spans less than two decades has too few at 1."""
+def log_axis(axis, room=2.8):
+    """Plain numbers, at 1, 2 and 5 where the axis spans fewer decades than it has room for."""
     low, high = axis.get_view_interval()
-    short = math.log10(high / low) < 2.8
+    short = math.log10(high / low) < room
     axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5) if short else (1,)))
     axis.set_major_formatter(ticker.FuncFormatter(plain))
     axis.set_minor_formatter(ticker.NullFormatter())
@@ -224,9 +224,9 @@ def face_panel(axes, rows, along, all_series, peers, name):
     axes.set_title(f"{what}, {unit}", fontsize=9)
     axes.grid(which="major", color="0.92")
     axes.figure.canvas.draw()
-    log_axis(axes.xaxis)
+    log_axis(axes.xaxis, 1.7)
     if axes.get_yscale() == "log":
-        log_axis(axes.yaxis)
+        log_axis(axes.yaxis, 1.7)
     annotate(axes, [label for label in point_labels(along, all_series, name) if "fontweight" in label[3]])
 
 
@@ -242,7 +242,7 @@ def faces_picture(path, rows, axes_keys, peers, title):
     if not names:
         return
     along, all_series = series_of(rows, axes_keys)
-    columns = min(3, len(names))
+    columns = 2 if len(names) == 4 else min(3, len(names))
     lines = math.ceil(len(names) / columns)
     figure = pyplot.figure(figsize=(3.6 * columns, 1.1 + 2.7 * lines), layout="constrained")
     grid = figure.add_gridspec(lines + 1, columns, height_ratios=[2.7] * lines + [0.4])

@@ -24,12 +24,15 @@ Particles<Real> spawnParticles(const Scene& scene, std::vector<Spawn>& spawns) {
   for (const Block& block : scene.blocks) {
     const std::uint32_t first = i;
     const auto size = latticeSize(block, d);
+    const bool turned = !block.rpy_deg.isZero();
+    const Posed pose = poseOf(block.centre_m(), block.rpy_deg);
     for (std::int64_t z = 0; z < size.z(); ++z) {
       for (std::int64_t y = 0; y < size.y(); ++y) {
         const LatticeRow row = latticeRow(block, d, size, y, z);
         for (std::int64_t x = row.first; x < row.last; ++x, ++i) {
           const Vec3d cell(double(x) + 0.5, double(y) + 0.5, double(z) + 0.5);
-          const Vec3d point = block.min_m + d * cell;
+          Vec3d point = block.min_m + d * cell;
+          if (turned) point = pose.toWorld(point - block.centre_m());
           particles.position.set(i, point.cast<Real>());
           particles.predicted.set(i, point.cast<Real>());
           particles.velocity.set(i, block.velocityAt(point).cast<Real>());

@@ -1,7 +1,10 @@
 #include "ice_watch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "cloud_moments.h"
 #include "rigid_fit.h"
@@ -24,11 +27,27 @@ std::vector<Vec3d> positionsOf(const std::vector<ParticleSample>& particles) {
   return positions;
 }
 
+using Point = std::array<float, 3>;
+
+/// Ids of the ends of every spring. Samples of springs tell positions only, but these have the bits
+/// of the samples of particles.
+std::vector<std::pair<std::size_t, std::size_t>> joinedIds(const FrameView& frame) {
+  std::map<Point, std::size_t> ids;
+  for (const ParticleSample& p : frame.particles) ids[{p.x, p.y, p.z}] = p.id;
+  std::vector<SpringSample> springs;
+  frame.simulation.sampleSprings(springs, frame.report().springs);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  pairs.reserve(springs.size());
+  for (const SpringSample& s : springs) {
+    pairs.emplace_back(ids.at({s.ax, s.ay, s.az}), ids.at({s.bx, s.by, s.bz}));
+  }
+  return pairs;
+}
+
 }  // namespace
 
 IceWatch::IceWatch(const Scene& scene)
     : spacing_m_(scene.fluid.spacing_m),
-      reach_m_(scene.springs.reach_h * scene.supportRadius_m()),
       window_(std::size_t(std::max(1.0, 0.5 * scene.solver.frame_rate_hz))) {}
 
 std::unique_ptr<IceWatch> IceWatch::forScene(const FrameView& start) {
@@ -47,6 +66,7 @@ void IceWatch::add(const FrameView& frame) {
   }
   if (frozen_.empty() || melted_) {
     frozen_ = positionsOf(frame.particles);
+    pieces_ = connectedGroups(frozen_.size(), joinedIds(frame));
     speeds_m_s_.clear();
     melted_ = false;
   }
@@ -56,7 +76,7 @@ void IceWatch::add(const FrameView& frame) {
 
 double IceWatch::drift_m() const {
   double squares = 0.0;
-  for (const auto& piece : connectedGroups(frozen_, reach_m_)) {
+  for (const auto& piece : pieces_) {
     squares += squaredRigidMisfit_m2(frozen_, last_, piece);
   }
   return std::sqrt(squares / double(frozen_.size()));

@@ -2,8 +2,6 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -36,13 +34,6 @@ class Forest {
   std::vector<std::size_t> parents_;
 };
 
-using Cell = std::array<long, 3>;
-
-Cell cellOf(const Vec3d& point, double size_m) {
-  return {std::lround(std::floor(point.x() / size_m)), std::lround(std::floor(point.y() / size_m)),
-          std::lround(std::floor(point.z() / size_m))};
-}
-
 }  // namespace
 
 double squaredRigidMisfit_m2(const std::vector<Vec3d>& before, const std::vector<Vec3d>& after,
@@ -64,25 +55,14 @@ double squaredRigidMisfit_m2(const std::vector<Vec3d>& before, const std::vector
   return sum;
 }
 
-std::vector<std::vector<std::size_t>> connectedGroups(const std::vector<Vec3d>& points,
-                                                      double reach_m) {
-  std::map<Cell, std::vector<std::size_t>> cells;
-  for (std::size_t k = 0; k < points.size(); ++k) cells[cellOf(points[k], reach_m)].push_back(k);
-  Forest forest(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Cell home = cellOf(points[k], reach_m);
-    for (int offset = 0; offset < 27; ++offset) {
-      const auto near = cells.find(
-          {home[0] + offset % 3 - 1, home[1] + offset / 3 % 3 - 1, home[2] + offset / 9 - 1});
-      if (near == cells.end()) continue;
-      for (const std::size_t other : near->second) {
-        if (other > k && (points[other] - points[k]).norm() < reach_m) forest.join(k, other);
-      }
-    }
-  }
+std::vector<std::vector<std::size_t>> connectedGroups(
+    std::size_t count, const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+  Forest forest(count);
+  for (const auto& [a, b] : pairs) forest.join(a, b);
   std::map<std::size_t, std::vector<std::size_t>> by_root;
-  for (std::size_t k = 0; k < points.size(); ++k) by_root[forest.root(k)].push_back(k);
+  for (std::size_t k = 0; k < count; ++k) by_root[forest.root(k)].push_back(k);
   std::vector<std::vector<std::size_t>> groups;
+  groups.reserve(by_root.size());
   for (auto& [root, members] : by_root) groups.push_back(std::move(members));
   return groups;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "ice_ice_baby/types.h"
@@ -13,8 +14,8 @@ namespace ice_ice_baby {
 double squaredRigidMisfit_m2(const std::vector<Vec3d>& before, const std::vector<Vec3d>& after,
                              const std::vector<std::size_t>& members);
 
-/// Groups of points joined by chains of pairs closer than `reach_m`; each group in rising order.
-std::vector<std::vector<std::size_t>> connectedGroups(const std::vector<Vec3d>& points,
-                                                      double reach_m);
+/// Groups of the points 0 ... count-1 that chains of pairs join; each group in rising order.
+std::vector<std::vector<std::size_t>> connectedGroups(
+    std::size_t count, const std::vector<std::pair<std::size_t, std::size_t>>& pairs);
 
 }  // namespace ice_ice_baby

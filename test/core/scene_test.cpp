@@ -130,6 +130,24 @@ TEST(BlockShapeTest, IsTheSameOnBothSidesOfItsCentre) {
   EXPECT_LT((mean - Vec3d(0, 0, 1)).norm(), 1e-12);
 }
 
+TEST(BlockPoseTest, TurnsTheBlockWithItsLatticeAboutItsCentre) {
+  const Scene upright = sceneOf(BlockShape::kCylinder, {1, 1, 1}, {2, 3, 1.5});
+  Scene lying = upright;
+  lying.blocks[0].rpy_deg = {0, 90, 0};
+  lying.blocks[0].spin_rad_s = {0, 0, 1};
+  std::vector<Spawn> spawns;
+  const auto before = spawnParticles<double>(upright, spawns);
+  const auto after = spawnParticles<double>(lying, spawns);
+  ASSERT_EQ(before.size(), after.size());
+  const Vec3d centre(1.5, 2, 1.25);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Vec3d arm = before.position.at(i) - centre;
+    EXPECT_LT((after.position.at(i) - centre - Vec3d(arm.z(), arm.y(), -arm.x())).norm(), 1e-12);
+    EXPECT_LT((after.velocity.at(i) - Vec3d(-arm.y(), arm.z(), 0)).norm(), 1e-12)
+        << "spin is about the axes of the scene";
+  }
+}
+
 TEST(BlockShapeTest, CountingAHugeBallTakesNoTime) {
   Scene scene = sceneOf(BlockShape::kBall, Vec3d::Constant(-100), Vec3d::Constant(100));
   scene.fluid.spacing_m = 1e-4;

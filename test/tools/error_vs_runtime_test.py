@@ -1,4 +1,4 @@
-"""error_vs_runtime: grids, fronts, tables, resuming and refusals, with a stub in place of run_scene."""
+"""The program error_vs_runtime: tables, pictures, resuming, refusals; a stub in place of run_scene."""
 import csv
 import json
 import pathlib
@@ -16,8 +16,7 @@ PROGRAM = ROOT / "scripts" / "error_vs_runtime"
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(PROGRAM.parent))
 
-from error_runtime import grid, labels, pareto, peers, points, runner, trajectory  # noqa: E402
-from error_runtime.refusal import Refusal  # noqa: E402
+from error_runtime import peers, studies  # noqa: E402
 
 # Answers as run_scene does, at once; error halves and time doubles with every doubling of substeps.
 STUB = """#!/usr/bin/python3
@@ -47,103 +46,6 @@ PEERS = """peer,method,setting,particles,threads,precision,us_per_particle_per_s
 Other,DFSPH,tol 1 %,5415,2,float,609,0.198,5.0
 Other,DFSPH,tol .1 %,5415,2,float,563,0.097,
 """
-
-
-class Grid(unittest.TestCase):
-    def test_is_the_product_of_its_axes(self):
-        axes = grid.parse_grid({"substeps": "2,4", "iterations": None}, ["solver.epsilon=0.1,1e-2"])
-        self.assertEqual(axes, {"solver.substeps": ["2", "4"], "solver.epsilon": ["0.1", "0.01"]})
-        expanded = grid.expand(axes)
-        self.assertEqual(len(expanded), 4)
-        self.assertEqual(expanded[1], {"solver.substeps": "2", "solver.epsilon": "0.01"})
-        self.assertEqual(grid.expand({}), [{}])
-
-    def test_takes_each_number_once_however_it_is_written(self):
-        self.assertEqual(grid.parse_axis("k", "0.5,.50,5e-1,1,1.0"), ["0.5", "1"])
-
-    def test_leaves_brackets_whole(self):
-        self.assertEqual(grid.split_values("[0, 0, -9],[0, 0, 0]"), ["[0, 0, -9]", "[0, 0, 0]"])
-
-    def test_knows_shorthands_as_keys_too(self):
-        self.assertEqual(grid.parse_grid({}, ["warm-start=0,0.5"]), {"solver.warm_start": ["0", "0.5"]})
-
-    def test_refuses_what_is_no_grid(self):
-        for texts, clue in ((["solver.substeps"], "key=v1"), (["k="], "empty value"), (["k=1,,2"], "empty"),
-                            (["k=1", "k=2"], "twice"), (["threads=0"], "1 to 1024"),
-                            (["precision=half"], "float or double")):
-            with self.subTest(texts=texts), self.assertRaisesRegex(Refusal, clue):
-                grid.parse_grid({}, texts)
-
-
-class Front(unittest.TestCase):
-    def test_has_the_points_that_nothing_beats(self):
-        known = [(1, 8), (2, 4), (3, 5), (4, 2), (4, 3), (5, 2), None, (0.5, 9)]
-        self.assertEqual(pareto.front(known), [7, 0, 1, 3])
-
-    def test_of_equal_points_has_the_first(self):
-        self.assertEqual(pareto.front([(1, 1), (1, 1)]), [0])
-
-    def test_of_nothing_is_empty(self):
-        self.assertEqual(pareto.front([]), [])
-        self.assertEqual(pareto.front([None]), [])
-
-
-class Points(unittest.TestCase):
-    def run_of(self, wall, status="ok", **point):
-        report = {"particles": 100, "simulated_time_s": 2.0, "wall_time_s": wall, "state_hash": "",
-                  "error": {"density_mean": 0.01}, "rms_speed_m_s": 0, "residual_speed_m_s": 0,
-                  "max_speed_m_s": 0, "settings": {"solver": {"substeps": 8}}, "threads": 2}
-        return {"point": point, "status": status, "message": "", "report": report}
-
-    def test_medians_and_spread(self):
-        row, = points.table([self.run_of(wall) for wall in (4.0, 2.0, 9.0)])
-        self.assertEqual((row["repeats"], row["wall_s_per_s"]), (3, 2.0))
-        self.assertEqual((row["wall_s_per_s_min"], row["wall_s_per_s_max"]), (1.0, 4.5))
-        self.assertEqual(row["us_per_particle_per_s"], 20000.0)
-
-    def test_an_unstable_run_makes_an_unstable_point_that_is_never_on_the_front(self):
-        rows = points.table([self.run_of(2.0, a="1"), self.run_of(1.0, "unstable", a="2")])
-        self.assertEqual([row["status"] for row in rows], ["ok", "unstable"])
-        self.assertEqual([row["on_front"] for row in rows], [1, 0])
-
-    def test_a_refused_point_stays(self):
-        refused = {"point": {"a": "1"}, "status": "refused", "message": "no"}
-        row, = points.table([refused])
-        self.assertEqual((row["status"], row["message"], row["on_front"]), ("refused", "no", 0))
-
-    def test_an_axis_that_a_point_does_not_set_shows_what_was_in_force(self):
-        rows = points.table([self.run_of(1.0), self.run_of(1.0, **{"solver.substeps": "4"})])
-        self.assertEqual([row["solver.substeps"] for row in rows], [8, "4"])
-
-    def test_runs_to_do_come_in_rounds_and_failures_once(self):
-        a, b = {"k": "1"}, {"k": "2"}
-        self.assertEqual(runner.pending([a, b], 2, []), [a, b, a, b])
-        done = [{"point": a, "status": "ok"}, {"point": b, "status": "unstable"}]
-        self.assertEqual(runner.pending([a, b], 2, done), [a])
-
-
-class Trajectory(unittest.TestCase):
-    def test_distance_is_in_spacings_and_time_is_when_it_is_passed(self):
-        import numpy
-
-        reference = numpy.zeros((4, 2, 3), "f4")
-        record = reference.copy()
-        record[:, :, 2] = numpy.array([0, 0.05, 0.2, 0.1])[:, None]
-        apart = trajectory.distances(record, reference, 0.1)
-        self.assertTrue(numpy.allclose(apart, [0, 0.5, 2, 1]))
-        self.assertAlmostEqual(trajectory.time_within(apart, 10), 0.2)
-        self.assertAlmostEqual(trajectory.time_within(apart, 10, limit=9), 0.3)
-
-
-class Labels(unittest.TestCase):
-    def test_cover_neither_each_other_nor_points(self):
-        spots = [(50 + 9 * (k % 4), 50 + 9 * (k // 4)) for k in range(12)]
-        boxes = labels.place(spots, [(14, 9)] * 12, (0, 0, 300, 300))
-        for k, box in enumerate(boxes):
-            for other in boxes[:k]:
-                self.assertEqual(labels.overlap(box, other), 0)
-            for x, y in spots:
-                self.assertEqual(labels.overlap(box, (x - 4, y - 4, x + 4, y + 4)), 0)
 
 
 class Program(unittest.TestCase):
@@ -300,6 +202,44 @@ class Program(unittest.TestCase):
         rows = peers.read_peers(table)
         self.assertEqual(rows[0]["max_error_percent"], 5.0)
         self.assertIsNone(rows[1]["max_error_percent"])
+
+    def finish_report(self):
+        """Folders as --report leaves them: two settings in every study."""
+        for study in studies.STUDIES:
+            folder = self.out / study.name
+            folder.mkdir(parents=True)
+            (folder / "campaign.json").write_text(
+                json.dumps({"scene": study.scene, "duration_s": study.duration_s, "set": list(study.fixed)}))
+            with (folder / "runs.jsonl").open("w") as file:
+                for substeps in (4, 8):
+                    report = {"particles": 1000, "simulated_time_s": 1, "wall_time_s": 0.01 * substeps,
+                              "error": {"density_mean": 0.04 / substeps, "density_max": 0.4 / substeps},
+                              "settings": {}, "state_hash": "", "rms_speed_m_s": 1, "residual_speed_m_s": 1,
+                              "max_speed_m_s": 1}
+                    point = {"threads": "2", "solver.substeps": str(substeps)}
+                    file.write(json.dumps({
+                        "point": point, "status": "ok", "message": "", "seconds": 3, "program": "p",
+                        "commit": "c0ffee", "date": "2026-01-02 03:04 UTC", "report": report}) + "\n")
+
+    def test_report_is_written_from_what_was_measured(self):
+        self.finish_report()
+        table = self.folder / "peers.csv"
+        table.write_text(PEERS)
+        done = self.go("--report", "--no-run", "--doc", self.folder / "doc", "--peers", table)
+        self.assertIn("its runs took 0.5 min", done.stdout)
+        text = (self.folder / "doc" / "error_vs_runtime.md").read_text()
+        self.assertIn("For 30 fps with 20,000 particles take 4 substeps**", text)
+        self.assertIn("`--set solver.substeps=4`", text)
+        self.assertIn("| 1 | 4 substeps | 40 | 25,000 |", text)
+        self.assertIn("| Other DFSPH tol 1 % | 609 |", text)
+        self.assertIn("c0ffee", text)
+        for name in ("dam_break_error", "dam_break_faces", "column_error", "splash_error", "ice_error"):
+            self.assertIn(f"images/error_vs_runtime_{name}.png", text)
+            picture = self.folder / "doc" / "images" / f"error_vs_runtime_{name}.png"
+            self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+
+    def test_report_says_what_is_missing(self):
+        self.assertIn("no finished runs", self.refused("--report", "--no-run"))
 
     def test_runs_the_real_program_with_a_reference(self):
         scene = self.folder / "tiny.yaml"

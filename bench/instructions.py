@@ -1,0 +1,70 @@
+"""Instructions of the frames of a scene, counted by callgrind: the same on a busy machine."""
+
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+
+from builds import Tree, git, run
+
+SCENES = ("dam_break", "container_splash")
+FRAMES = 3  # each scene has 60 a second
+
+
+def count(tree, scene, overrides=(), frames=FRAMES):
+    """Instructions that `frames` frames of a scene cost on one thread, set-up left out."""
+    if not shutil.which("valgrind"):
+        sys.exit("valgrind is missing; scripts/install_dependencies bench")
+    with tempfile.NamedTemporaryFile() as profile:
+        out = run(
+            ["valgrind", "--tool=callgrind", f"--callgrind-out-file={profile.name}"]
+            + ["--toggle-collect=ice_ice_baby::Simulator<float>::advanceFrame()"]
+            + [tree.program("run_scene"), scene, "--duration", frames / 60.0, "--threads", 1]
+            + [word for override in overrides for word in ("--set", override)]
+        )
+    return int(re.search(r"Collected : (\d+)", out).group(1))
+
+
+def compare_counts(folder, commit):
+    """The working tree against a commit."""
+    commit = git("rev-parse", "--short=10", commit)
+    base = Tree("base", folder).check_out(commit).make("run_scene")
+    tree = Tree("tree", folder).copy_working_tree().make("run_scene")
+    _print(f"base {commit}", base, "tree", tree)
+
+
+def without_ice(folder):
+    """The working tree against a copy in which springs and temperature do not exist."""
+    tree = Tree("tree", folder).copy_working_tree().make("run_scene")
+    bare = leave_out_ice(Tree("without_ice", folder).copy_working_tree()).make("run_scene")
+    _print("without ice", bare, "tree", tree)
+    print("\nWater only: no spring is made, no temperature changes. Target: at most 1.02.")
+
+
+def _print(name_a, a, name_b, b):
+    print(f"{'instructions of ' + str(FRAMES) + ' frames':<28} {name_a:>16} {name_b:>16} {'ratio':>8}")
+    for scene in SCENES:
+        n_a, n_b = count(a, scene), count(b, scene)
+        print(f"{scene:<28} {n_a:>16,} {n_b:>16,} {n_b / n_a:>8.4f}")
+
+
+def leave_out_ice(tree):
+    """Takes springs and temperature out of a copy of the source."""
+    own = pathlib.Path(__file__).parent / "without_ice" / "absent.h"
+    include = tree.source / "include" / "ice_ice_baby"
+    shutil.copy2(own, include / "absent.h")
+    simulator = include / "simulator.h"
+    _edit(simulator, r"std::optional<Springs<Real>>", "Absent<Springs<Real>>")
+    _edit(simulator, r"\bTemperature temperature_;", "NoTemperature temperature_;")
+    _edit(simulator, r"\bdouble strictness_ = 0\.0;", "Zero strictness_;")
+    _edit(simulator, r'#include "ice_ice_baby/colliders.h"', '#include "ice_ice_baby/absent.h"\n\\g<0>')
+    _edit(tree.source / "src" / "core" / "CMakeLists.txt", r"\n +(springs|temperature)\.cpp", "", 2)
+    return tree
+
+
+def _edit(path, pattern, replacement, times=1):
+    source, found = re.subn(pattern, replacement, path.read_text())
+    if found != times:
+        sys.exit(f"{path.name} has no {pattern} any more: bench/instructions.py has to follow it")
+    path.write_text(source)

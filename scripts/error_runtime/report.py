@@ -1,0 +1,59 @@
+"""Measures the studies of the report and writes doc/error_vs_runtime.md with its pictures."""
+
+import json
+import pathlib
+
+from . import machine
+from .campaign import measure, of_program, tell
+from .document import document
+from .peers import read_peers
+from .points import axes_of, table
+from .refusal import Refusal
+from .store import Store
+from .studies import PEERS_STUDY, STUDIES, campaign_of
+
+
+class Result:
+    """What a study's folder holds of the latest build."""
+
+    def __init__(self, study, folder):
+        store = Store(folder)
+        runs = store.runs()
+        if not runs:
+            raise Refusal(f"{folder} holds no finished runs; leave --no-run out to measure")
+        self.study = study
+        self.constants = store.campaign()
+        self.runs = of_program(runs, runs[-1]["program"])
+        self.rows = table(self.runs)
+        self.axes = axes_of(self.runs)
+        note = folder / "reference.json"
+        self.reference = json.loads(note.read_text()) if note.exists() else None
+
+
+def measure_all(args, folder, command):
+    program = machine.find_run_scene(args.run_scene)
+    for study in STUDIES:
+        tell(f"{study.name}: {study.shows}")
+        measure(campaign_of(study, folder, program, args.repeats), program, command, args.fresh)
+
+
+def make_report(args, command):
+    from .plots import draw
+
+    folder = args.out or machine.ROOT / "out" / "error_vs_runtime" / "report"
+    peers = read_peers(args.peers) if args.peers else []
+    if not args.no_run:
+        measure_all(args, folder, command)
+    results = [Result(study, folder / study.name) for study in STUDIES]
+    pictures = pathlib.Path(args.doc) / "images"
+    for result in results:
+        study = result.study
+        if study.picture:
+            beside = peers if study.name == PEERS_STUDY else []
+            prefix = f"error_vs_runtime_{study.name}_"
+            draw(pictures, result.rows, result.axes, beside, study.scene, prefix)
+    path = pathlib.Path(args.doc) / "error_vs_runtime.md"
+    path.write_text(document(results, peers))
+    took = sum(run["seconds"] for result in results for run in result.runs)
+    print(f"wrote {path} and its pictures; its runs took {took / 60:.1f} min")
+    return 0
