@@ -63,7 +63,7 @@ struct SolverParams {
   double frame_rate_hz = 60.0;
   int substeps = 6;
   int iterations = 2;
-  double relaxation = 0.7;
+  double relaxation = 0.0;
   double epsilon = 0.01;
   double warm_start = 0.5;
   bool resist_tension = false;
@@ -79,8 +79,9 @@ void describe(SolverParams& p, Visitor&& visit) {
   visit("substeps", p.substeps, Range{1, 1000}, "passes of Algorithm 1 per frame");
   visit("iterations", p.iterations, Range{0, 1000},
         "solver iterations per substep; 0: particles fly ballistically");
-  visit("relaxation", p.relaxation, Range{0.01, 1.0},
-        "factor on lambda; above 0.7 the simultaneous corrections overshoot (paper: 1)");
+  visit("relaxation", p.relaxation, Range{0.0, 1.0},
+        "factor on lambda; 0: the largest with which water comes to rest, by the number of "
+        "iterations; above it the simultaneous corrections overshoot (paper: 1)");
   visit("epsilon", p.epsilon, Range{0.0, 1e3},
         "epsilon of Eq. 5 times h^2, so that it does not depend on scale (paper: 9e-5)");
   visit("warm_start", p.warm_start, Range{0.0, 0.6},

@@ -95,6 +95,8 @@ struct Scene {
 
   /// Support radius h in m and spacing d in m in force, with 0 resolved.
   double supportRadius_m() const;
+  /// Factor on lambda in force, with 0 resolved: doc/algorithm.md derives it.
+  double relaxation() const;
 };
 
 constexpr Range kGravityRange_m_s2{-1e4, 1e4};

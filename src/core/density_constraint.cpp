@@ -18,7 +18,7 @@ DensityConstraint<Real>::DensityConstraint(const Scene& scene, const WallDensity
   weight_scale_ = static_cast<Real>(volume * densityAtZero(fluid.kernel, h));
   gradient_scale_ = static_cast<Real>(volume * slopeAtHalf(fluid.kernel, h) / (h / 2));
   self_ = fluid.self_density ? weight_scale_ : Real(0);
-  relaxation_ = static_cast<Real>(scene.solver.relaxation);
+  relaxation_ = static_cast<Real>(scene.relaxation());
   epsilon_ = static_cast<Real>(scene.solver.epsilon / (h * h));
   resist_tension_ = scene.solver.resist_tension;
   warm_start_ = static_cast<Real>(scene.solver.warm_start);
@@ -74,10 +74,11 @@ void DensityConstraint<Real>::finishLambda(std::size_t i) {
   const Real slope_scale = gradient_scale_ * support_;
   const Real others = slope_scale * slope_scale * lambda_[i];  // |grad_j C_i|^2, for a neighbour
   density_[i] = relative;
-  Real constraint = relative - 1;  // Eq. 2
-  if (!resist_tension_) constraint = std::max(constraint, Real(0));
+  const Real constraint = relative - 1;  // Eq. 2
   const Real gradients = others + own.squaredNorm() + epsilon_;
   lambda_[i] = gradients > 0 ? -relaxation_ * constraint / gradients : Real(0);  // Eq. 5
+  // Water pushes and never pulls: an iteration may take back no more than has been pushed so far.
+  if (!resist_tension_) lambda_[i] = std::min(lambda_[i], -multiplier_[i]);
 }
 
 template <class Real>

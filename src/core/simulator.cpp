@@ -202,14 +202,18 @@ void Simulator<Real>::finishCollisions() {
   });
 }
 
-/// v = (x* - x) / dt, x = x*. A value that is not finite puts its particle back to rest where it
-/// was; one above the speed limit is slowed to it. Both are counted.
+/// v = (x* - x) / dt, x = x*, written as what the corrections add to the velocity of the
+/// prediction, so that free flight keeps every bit of its velocity however short the substep. A
+/// value that is not finite puts its particle back to rest where it was; one above the speed limit
+/// is slowed to it. Both are counted.
 template <class Real>
 void Simulator<Real>::updateVelocityAndPosition(Real dt) {
   const Real limit = static_cast<Real>(scene_.solver.max_speed_m_s);
   std::atomic<std::uint64_t> limited{0}, repaired{0};
   parallelFor(particles_.size(), [&](std::size_t i) {
-    Vec3<Real> v = (particles_.predicted.at(i) - particles_.position.at(i)) / dt;
+    Vec3<Real> v = particles_.velocity.at(i);
+    const Vec3<Real> flight = particles_.position.at(i) + dt * v;
+    v += (particles_.predicted.at(i) - flight) / dt;
     if (!v.allFinite()) {
       v.setZero();
       particles_.predicted.set(i, particles_.position.at(i));

@@ -31,8 +31,8 @@ PointField field(const char* name, std::uint32_t offset, std::uint8_t type) {
 std::vector<PointField> fields(bool rgb) {
   std::vector<PointField> out;
   std::uint32_t offset = 0;
-  for (const char* name : {"x", "y", "z", "vx", "vy", "vz", "temperature", "ice_fraction",
-                           "density", "pressure"}) {
+  for (const char* name :
+       {"x", "y", "z", "vx", "vy", "vz", "temperature", "ice_fraction", "density", "pressure"}) {
     out.push_back(field(name, offset, PointField::FLOAT32));
     offset += 4;
   }

@@ -16,7 +16,7 @@ constexpr char kSeriesColumns[] =
     "rms_x_m,rms_y_m,rms_z_m,momentum_x_kg_m_s,momentum_y_kg_m_s,momentum_z_kg_m_s,"
     "angular_momentum_x_kg_m2_s,angular_momentum_y_kg_m2_s,angular_momentum_z_kg_m2_s,"
     "temperature_c,strictness,springs\n";
-constexpr char kParticleColumns[] = "id,x,y,z,vx,vy,vz,density\n";
+constexpr char kParticleColumns[] = "id,x,y,z,vx,vy,vz,density,pressure_pa\n";
 
 void append(std::string& row, double value) { row += (row.empty() ? "" : ",") + numberText(value); }
 
@@ -70,7 +70,7 @@ void writeParticles(const std::string& path, const Simulation& simulation) {
   file << kParticleColumns;
   for (const ParticleSample& p : particles) {
     std::string row = std::to_string(p.id);
-    for (const float value : {p.x, p.y, p.z, p.vx, p.vy, p.vz, p.density}) {
+    for (const float value : {p.x, p.y, p.z, p.vx, p.vy, p.vz, p.density, p.pressure_pa}) {
       row += "," + floatText(value);
     }
     file << row << "\n";

@@ -47,7 +47,7 @@ struct BruteForce {
       const double wanted = density - 1;
       const double c = scene.solver.resist_tension ? wanted : std::max(wanted, 0.0);
       result.density.push_back(density);
-      result.lambda.push_back(-scene.solver.relaxation * c / (squares + own.squaredNorm()));
+      result.lambda.push_back(-scene.relaxation() * c / (squares + own.squaredNorm()));
     }
     for (std::size_t i = 0; i < n; ++i) {
       Vec3d sum = Vec3d::Zero();

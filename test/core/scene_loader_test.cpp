@@ -127,7 +127,8 @@ TEST(OverrideTest, DefaultLiesUnderPresetUnderFileUnderOverride) {
   EXPECT_EQ(parseScene("preset: paper\nsolver: {iterations: 3}").solver.iterations, file);
   EXPECT_EQ(parseScene("solver: {iterations: 3}\npreset: paper").solver.iterations, file);
   EXPECT_EQ(parseScene("solver: {iterations: 3}", {{"preset", "paper"}}).solver.iterations, file);
-  EXPECT_EQ(parseScene("preset: paper", {{"preset", "default"}}).solver.iterations, 1);
+  EXPECT_EQ(parseScene("preset: paper", {{"preset", "default"}}).solver.iterations,
+            SolverParams().iterations);
   EXPECT_EQ(parseScene("preset: paper\nsolver: {iterations: 3}", {{"solver.iterations", "2"}})
                 .solver.iterations,
             over);

@@ -64,13 +64,13 @@ class RunScene(unittest.TestCase):
         self.assertEqual(report["threads"], 2)
         self.assertEqual(report["precision"], "double")
         self.assertAlmostEqual(report["simulated_time_s"], 0.1)
-        self.assertEqual(report["steps"], 48)
+        self.assertEqual(report["steps"], 36)
         self.assertEqual((report["escaped"], report["non_finite"]), (0, 0))
         self.assertRegex(report["state_hash"], "^[0-9a-f]{16}$")
         for stage in report["stages"]:
             self.assertEqual(set(stage), {"name", "calls", "time_s", "bytes"})
         calls = {stage["name"]: stage["calls"] for stage in report["stages"]}
-        self.assertEqual(calls["predict"], 48)
+        self.assertEqual(calls["predict"], 36)
         self.assertNotIn("make_springs", calls)
 
     def test_same_bits_for_any_number_of_threads(self):
@@ -214,7 +214,7 @@ class RunScene(unittest.TestCase):
 
     def test_list_names_the_scenes_and_defaults_the_keys(self):
         self.assertIn("dam_break", self.run_scene("--list").stdout)
-        self.assertIn("substeps: 8", self.run_scene("--defaults").stdout)
+        self.assertIn("substeps: 6", self.run_scene("--defaults").stdout)
         result = self.run_scene("--list", ICE_ICE_BABY_SCENES=str(self.folder))
         self.assertEqual(result.stdout.split()[0], "small")
 
