@@ -28,6 +28,9 @@ class DensityConstraint {
   /// iterations of the substep.
   void computeDeltaP(const Particles<Real>& particles, const Neighbours<Real>& neighbours);
 
+  /// Fits what the warm start keeps to a substep that is `ratio` times as long.
+  void rescaleWarmStart(double ratio);
+
   /// Puts particle order[k] at place k, as Particles::reorder does.
   void reorder(const std::vector<Index>& order);
 

@@ -27,9 +27,11 @@ constexpr double kMaxCoordinate_m = 100.0;
 
 enum class Preset { kDefault, kPaper };
 enum class KernelPair { kCubic, kPoly6Spiky };
+enum class Quality { kFast, kBalanced, kAccurate };
 
 inline std::vector<std::string> choices(Preset) { return {"default", "paper"}; }
 inline std::vector<std::string> choices(KernelPair) { return {"cubic", "poly6_spiky"}; }
+inline std::vector<std::string> choices(Quality) { return {"fast", "balanced", "accurate"}; }
 
 struct FluidParams {
   double spacing_m = 0.0211;
@@ -61,7 +63,9 @@ void describe(FluidParams& p, Visitor&& visit) {
 
 struct SolverParams {
   double frame_rate_hz = 60.0;
-  int substeps = 6;
+  Quality quality = Quality::kBalanced;
+  double target_error = 0.0;
+  int substeps = 0;
   int iterations = 2;
   double relaxation = 0.0;
   double epsilon = 0.01;
@@ -76,7 +80,15 @@ template <class Visitor>
 void describe(SolverParams& p, Visitor&& visit) {
   visit("frame_rate_hz", p.frame_rate_hz, Range{1.0, 10000.0},
         "frames per simulated second; state is reported once a frame");
-  visit("substeps", p.substeps, Range{1, 1000}, "passes of Algorithm 1 per frame");
+  visit("quality", p.quality,
+        "points of the measured front of error against run time, doc/error_vs_runtime.md: 4, 6 or "
+        "12 substeps");
+  visit("target_error", p.target_error, Range{0.0, 0.5},
+        "mean density error, as a fraction, that the number of substeps follows frame by frame; "
+        "0: it stays as it is");
+  visit("substeps", p.substeps, Range{0, 1000},
+        "passes of Algorithm 1 per frame, with a target error those of the first; 0: as quality "
+        "has it");
   visit("iterations", p.iterations, Range{0, 1000},
         "solver iterations per substep; 0: particles fly ballistically");
   visit("relaxation", p.relaxation, Range{0.0, 1.0},

@@ -95,6 +95,8 @@ struct Scene {
 
   /// Support radius h in m and spacing d in m in force, with 0 resolved.
   double supportRadius_m() const;
+  /// Substeps of a frame in force, of the first one where a target error is followed.
+  int substeps() const;
   /// Factor on lambda in force, with 0 resolved: doc/algorithm.md derives it.
   double relaxation() const;
 };

@@ -38,6 +38,7 @@ struct StepReport {
   double rms_speed_m_s = 0.0;
   std::uint64_t speed_limited = 0;  ///< particles that the speed limit slowed in this frame
   std::uint64_t non_finite = 0;  ///< since the start: values repaired because they were not finite
+  int substeps = 0;              ///< that the frame took; 0 asleep
   double frame_wall_s = 0.0;     ///< time that the frame took to compute
 };
 

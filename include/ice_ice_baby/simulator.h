@@ -59,6 +59,7 @@ class Simulator final : public Simulation {
   void updateVelocityAndPosition(Real dt);
   void updateTemperature(double time_s);
   void updateReport();
+  void followTargetError();
   void updateSleep();
   void wake();
   void joinSheets();
@@ -94,6 +95,7 @@ class Simulator final : public Simulation {
   StageClock report_clock_{"report"};
 
   StepReport report_;
+  int substeps_;  ///< of the frame that comes next
   double strictness_ = 0.0;
   double still_s_ = 0.0;  ///< for how long frozen water has been slower than the sleep speed
   bool colliders_moving_ = false;

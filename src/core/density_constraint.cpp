@@ -117,6 +117,15 @@ void DensityConstraint<Real>::resize(std::size_t n) {
 }
 
 template <class Real>
+void DensityConstraint<Real>::rescaleWarmStart(double ratio) {
+  const Real square = static_cast<Real>(ratio * ratio);  // of a pressure, corrections go with dt^2
+  parallelFor(multiplier_.size(), [&](std::size_t i) {
+    multiplier_[i] *= square;
+    if (warmStarts()) correction_.set(i, square * correction_.at(i));
+  });
+}
+
+template <class Real>
 void DensityConstraint<Real>::reorder(const std::vector<Index>& order) {
   resize(order.size());
   permute(multiplier_, order);

@@ -84,6 +84,19 @@ double Scene::supportRadius_m() const {
   return fluid.support_radius_m > 0.0 ? fluid.support_radius_m : 2.0 * fluid.spacing_m;
 }
 
+int Scene::substeps() const {
+  if (solver.substeps > 0) return solver.substeps;
+  switch (solver.quality) {
+    case Quality::kFast:
+      return 4;
+    case Quality::kBalanced:
+      return 6;
+    case Quality::kAccurate:
+      return 12;
+  }
+  return 6;
+}
+
 double Scene::relaxation() const {
   if (solver.relaxation > 0.0) return solver.relaxation;
   // After n sweeps (1 - a)^n of a mode's error is left. With the warm start the velocity made of it
@@ -197,6 +210,7 @@ void applyPreset(Scene& scene, Preset preset, double spacing_m) {
   fluid.self_density = false;
   fluid.wall_density = false;
   SolverParams& solver = scene.solver;
+  solver.target_error = 0.0;
   solver.substeps = 8;
   solver.iterations = 4;
   solver.relaxation = 1.0;

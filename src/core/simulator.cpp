@@ -17,6 +17,10 @@ namespace {
 /// half.
 constexpr double kSkin = 0.3;
 
+/// Bounds of the number of substeps where a target error is followed.
+constexpr int kFewestSubsteps = 2;
+constexpr int kMostSubsteps = 64;
+
 const int kAllThreads = tbb::this_task_arena::max_concurrency();
 
 /// Unit vector that depends on the id alone, spread evenly over the sphere (golden angle spiral).
@@ -39,7 +43,10 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
       temperature_(scene),
       colliders_(scene, scene.fluid.spacing_m / 2),
       neighbours_(static_cast<Real>(scene.supportRadius_m()),
-                  static_cast<Real>(kSkin * scene.fluid.spacing_m)) {
+                  static_cast<Real>(kSkin * scene.fluid.spacing_m)),
+      substeps_(scene.substeps()) {
+  scene_.solver.substeps = substeps_;  // so that scene() tells what is in force
+  scene_.solver.relaxation = scene.relaxation();
   const double volume_m3 = particleVolume_m3(scene.fluid, scene.supportRadius_m());
   if (scene.fluid.wall_density && !colliders_.empty()) {
     walls_.emplace(scene, colliders_, volume_m3);
@@ -62,11 +69,13 @@ const StepReport& Simulator<Real>::advanceFrame() {
   report_.time_s = double(report_.frame) / scene_.solver.frame_rate_hz;
   report_.speed_limited = 0;
   updateTemperature(report_.time_s);
+  report_.substeps = report_.asleep ? 0 : substeps_;
   if (!report_.asleep) {
     arena_.execute([&] {
       runSubsteps();
       report_clock_.run([&] { updateReport(); });
       updateSleep();
+      followTargetError();
     });
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
@@ -76,10 +85,9 @@ const StepReport& Simulator<Real>::advanceFrame() {
 
 template <class Real>
 void Simulator<Real>::runSubsteps() {
-  const int substeps = scene_.solver.substeps;
-  for (int k = 0; k < substeps; ++k) {
-    if (colliders_moving_) colliders_.setSubstep(double(k) / substeps, double(k + 1) / substeps);
-    substep(1.0 / (scene_.solver.frame_rate_hz * substeps));
+  for (int k = 0; k < substeps_; ++k) {
+    if (colliders_moving_) colliders_.setSubstep(double(k) / substeps_, double(k + 1) / substeps_);
+    substep(1.0 / (scene_.solver.frame_rate_hz * substeps_));
   }
   if (!colliders_moving_) return;
   colliders_.endFrame();
@@ -268,6 +276,21 @@ void Simulator<Real>::updateSleep() {
     std::fill(axis->begin(), axis->end(), Real(0));
   }
   updateReport();
+}
+
+/// The error falls with the square of the substep. Fewer substeps are tried one at a time, so that
+/// a calm frame does not leave the next one short.
+template <class Real>
+void Simulator<Real>::followTargetError() {
+  const double target = scene_.solver.target_error;
+  if (target == 0.0 || report_.asleep) return;
+  const double wanted = std::ceil(substeps_ * std::sqrt(report_.density_error_mean / target));
+  const double fewest = std::max(kFewestSubsteps, substeps_ - 1);
+  const double most = std::min(kMostSubsteps, 2 * substeps_);
+  const int next = static_cast<int>(std::clamp(wanted, std::min(fewest, most), most));
+  if (next == substeps_) return;
+  density_->rescaleWarmStart(double(substeps_) / next);
+  substeps_ = next;
 }
 
 template <class Real>

@@ -69,7 +69,7 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
   const std::size_t n = places.size();
   stride = std::max<std::size_t>(stride, 1);
   out.resize((n + stride - 1) / stride);
-  const double substeps_1_s = scene_.solver.frame_rate_hz * scene_.solver.substeps;
+  const double substeps_1_s = scene_.solver.frame_rate_hz * substeps_;
   const double pascal = -scene_.fluid.rest_density_kg_m3 * substeps_1_s * substeps_1_s;
   const auto& x = particles_.position;
   const auto& v = particles_.velocity;

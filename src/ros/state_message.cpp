@@ -25,6 +25,7 @@ State stateMessage(const Snapshot& snapshot, const std_msgs::Header& header) {
   state.time_s = report.time_s;
   state.paused = snapshot.paused;
   state.asleep = report.asleep;
+  state.substeps = static_cast<std::uint32_t>(report.substeps);
   state.particles = static_cast<std::uint32_t>(report.particles);
   state.springs = static_cast<std::uint32_t>(report.springs);
   state.temperature = report.temperature_c;

@@ -109,7 +109,7 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double du
     }
     const StepReport& report = simulation.advanceFrame();
     record.addFrame(report, observers.look());
-    record.steps += report.asleep ? 0 : std::uint64_t(scene.solver.substeps);
+    record.steps += std::uint64_t(report.substeps);
     residual.add(report.rms_speed_m_s);
     bar.show(frame + 1, note(report, record));
     if (report.non_finite > 0) break;

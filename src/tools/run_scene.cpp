@@ -22,6 +22,7 @@ enum ExitCode { kRan = 0, kBadInput = 1, kUnstable = 2 };
 struct Options {
   std::string scene;
   std::string preset;
+  std::string quality;
   std::optional<double> duration_s;
   int threads = 0;
   std::string precision = "float";
@@ -37,6 +38,8 @@ struct Options {
 constexpr char kExamples[] = R"(Examples:
   run_scene dam_break --profile
   run_scene container_splash --duration 4 --frames /tmp/frames
+  run_scene dam_break --quality accurate
+  run_scene dam_break --set solver.target_error=0.001
   run_scene freeze_container --preset paper --report report.json
   run_scene dam_break --series series.csv --particles last.csv
   run_scene my_scene.yaml --set solver.substeps=16 --set "gravity_m_s2=[0, 0, -1.62]"
@@ -46,6 +49,7 @@ Exit code: 0 ran, 1 bad input, 2 became unstable.
 void describeOptions(CLI::App& app, Options& o) {
   app.add_option("scene", o.scene, "name of a scene (see --list) or path of a .yaml file");
   app.add_option("--duration", o.duration_s, "simulated seconds; without it the scene's own");
+  app.add_option("--quality", o.quality, "fast, balanced or accurate, in place of the scene's");
   app.add_option("--preset", o.preset, "default or paper, in place of the scene's");
   app.add_option("--threads", o.threads, "threads; 0: all of the machine's");
   app.add_option("--precision", o.precision, "float or double");
@@ -79,6 +83,7 @@ Scene readScene(const Options& options) {
   if (options.scene.empty()) throw InvalidInput("name a scene; run_scene --list shows them");
   std::vector<Override> overrides;
   if (!options.preset.empty()) overrides.push_back({"preset", options.preset});
+  if (!options.quality.empty()) overrides.push_back({"solver.quality", options.quality});
   for (const std::string& text : options.overrides) overrides.push_back(parseOverride(text));
   return loadScene(options.scene, overrides);
 }

@@ -47,8 +47,8 @@ TEST(SceneRefusalTest, UnknownKeysGetASuggestion) {
 
 TEST(SceneRefusalTest, ValuesOutOfRangeNameTheRange) {
   expectRefusal("fluid: {spacing_m: 0}", {"fluid.spacing_m = 0", "[1e-04, 10]"});
-  expectRefusal("solver: {substeps: 1001}", {"solver.substeps", "[1, 1000]"});
-  expectRefusal("solver: {substeps: 0}", {"solver.substeps"});
+  expectRefusal("solver: {substeps: 1001}", {"solver.substeps", "[0, 1000]"});
+  expectRefusal("solver: {substeps: -1}", {"solver.substeps"});
   expectRefusal("solver: {relaxation: 1.5}", {"solver.relaxation"});
   expectRefusal("solver: {epsilon: -1}", {"solver.epsilon"});
   expectRefusal("solver: {frame_rate_hz: -60}", {"solver.frame_rate_hz"});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <memory>
 
 #include "fixtures.h"
@@ -31,7 +32,7 @@ bool holds(const Simulation& simulation, const std::string& stage) {
 }
 
 double substepOf(const Scene& scene) {
-  return 1.0 / (scene.solver.frame_rate_hz * scene.solver.substeps);
+  return 1.0 / (scene.solver.frame_rate_hz * scene.substeps());
 }
 
 void run(Simulation& simulation, int frames) {
@@ -285,6 +286,62 @@ TEST(SimulatorTest, SpeedLimitActsIsCountedAndHoldsTheParticles) {
   simulation->sample(samples, 1);
   // One substep at the given speed may pass before the limit acts.
   EXPECT_LE(samples[0].x, 0.025 + 1.0 / 60 + 5.0 * substepOf(scene));
+}
+
+TEST(SimulatorTest, QualityChoosesSubstepsUnlessTheSceneDoes) {
+  Scene scene = floatingCube(2);
+  const std::map<Quality, int> substeps{
+      {Quality::kFast, 4}, {Quality::kBalanced, 6}, {Quality::kAccurate, 12}};
+  for (const auto& [quality, count] : substeps) {
+    scene.solver.quality = quality;
+    const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
+    EXPECT_EQ(simulation->scene().solver.substeps, count);
+    EXPECT_EQ(simulation->advanceFrame().substeps, count);
+  }
+  scene.solver.substeps = 3;
+  EXPECT_EQ(makeSimulation(scene)->advanceFrame().substeps, 3);
+}
+
+TEST(SimulatorTest, SubstepsFollowTheTargetErrorAndNoFurther) {
+  std::map<double, double> mean_substeps;
+  for (const double target : {0.01, 0.001}) {
+    Scene scene = fullTank(8);
+    scene.solver.target_error = target;
+    const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
+    double error = 0.0;
+    for (int frame = 0; frame < 90; ++frame) {
+      const StepReport& report = simulation->advanceFrame();
+      if (frame < 30) continue;
+      error += report.density_error_mean / 60;
+      mean_substeps[target] += report.substeps / 60.0;
+    }
+    EXPECT_LT(error, target);
+  }
+  EXPECT_LT(mean_substeps[0.01], mean_substeps[0.001]);
+}
+
+TEST(SimulatorTest, APoolComesToRest) {
+  Scene scene = fullTank(8);
+  const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
+  run(*simulation, 240);
+  // Twice lambda at walls, or relaxation 0.7 in a single sweep, keeps it at 40 to 120 mm/s.
+  EXPECT_LT(simulation->report().rms_speed_m_s, 0.01);
+}
+
+TEST(SimulatorTest, PressureOfARestingPoolGrowsWithDepth) {
+  Scene scene = fullTank(8, true);
+  const double d = scene.fluid.spacing_m;
+  const auto simulation = makeSimulation(scene, Precision::kDouble, 1);
+  run(*simulation, 240);
+  std::vector<ParticleSample> samples;
+  simulation->sample(samples);
+  double measured = 0.0, expected = 0.0;
+  for (const ParticleSample& p : samples) {
+    if (p.z < 2 * d || p.z > 6 * d) continue;
+    measured += double(p.pressure_pa);
+    expected += 9810.0 * (8 * d - double(p.z));
+  }
+  EXPECT_NEAR(measured / expected, 1.0, 0.1);
 }
 
 TEST(SimulatorTest, RefusesTooManyThreads) {

@@ -87,8 +87,8 @@ class Process(unittest.TestCase):
         self.run_tool('rosparam', 'delete', '/sim')
         self.assert_refused(['speling:=1'], 'unknown parameter ~speling')
         self.run_tool('rosparam', 'delete', '/sim')
-        self.assert_refused(['overrides/solver/substeps:=0', 'scene:=small'], 'solver.substeps',
-                            '[1, 1000]')
+        self.assert_refused(['overrides/solver/substeps:=-1', 'scene:=small'], 'solver.substeps',
+                            '[0, 1000]')
         self.run_tool('rosparam', 'delete', '/sim')
         self.assert_refused(['overrides/solver/substep:=4', 'scene:=small'],
                             'unknown key solver.substep', 'did you mean solver.substeps')

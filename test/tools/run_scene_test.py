@@ -91,9 +91,10 @@ class RunScene(unittest.TestCase):
                  ([self.scene, "--set", "solver.iteration=3"], "solver.iterations"),
                  ([self.scene, "--set", "solver.iterations"], "key=value"),
                  ([self.scene, "--set", "solver.iterations=x"], "must be a number"),
-                 ([self.scene, "--set", "solver.substeps=0"], "[1, 1000]"),
+                 ([self.scene, "--set", "solver.substeps=-1"], "[0, 1000]"),
                  ([self.scene, "--precision", "half"], "float or double"),
                  ([self.scene, "--preset", "fast"], "default, paper"),
+                 ([self.scene, "--quality", "best"], "fast, balanced, accurate"),
                  ([self.scene, "--threads", "-1"], "threads"),
                  ([self.scene, "--duration", "nan"], "--duration"),
                  ([self.scene, "--duration", "-3"], "--duration"),
@@ -214,7 +215,7 @@ class RunScene(unittest.TestCase):
 
     def test_list_names_the_scenes_and_defaults_the_keys(self):
         self.assertIn("dam_break", self.run_scene("--list").stdout)
-        self.assertIn("substeps: 6", self.run_scene("--defaults").stdout)
+        self.assertIn("quality: balanced", self.run_scene("--defaults").stdout)
         result = self.run_scene("--list", ICE_ICE_BABY_SCENES=str(self.folder))
         self.assertEqual(result.stdout.split()[0], "small")
 
