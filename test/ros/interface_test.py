@@ -50,15 +50,15 @@ class Interface(unittest.TestCase):
         self.node.run_frames(2)
         cloud = self.cloud()
         self.assertEqual(cloud.header.frame_id, 'ice_ice_baby/scene')
-        self.assertEqual((cloud.width, cloud.height, cloud.point_step), (PARTICLES, 1, 44))
-        self.assertEqual(len(cloud.data), PARTICLES * 44)
+        self.assertEqual((cloud.width, cloud.height, cloud.point_step), (PARTICLES, 1, 48))
+        self.assertEqual(len(cloud.data), PARTICLES * 48)
         self.assertTrue(cloud.is_dense)
-        names = ['x', 'y', 'z', 'vx', 'vy', 'vz', 'temperature', 'ice_fraction', 'density', 'id',
-                 'rgb']
+        names = ['x', 'y', 'z', 'vx', 'vy', 'vz', 'temperature', 'ice_fraction', 'density',
+                 'pressure', 'id', 'rgb']
         self.assertEqual([f.name for f in cloud.fields], names)
-        self.assertEqual([f.offset for f in cloud.fields], [4 * k for k in range(11)])
+        self.assertEqual([f.offset for f in cloud.fields], [4 * k for k in range(12)])
         self.assertEqual([f.datatype for f in cloud.fields],
-                         9 * [PointField.FLOAT32] + [PointField.UINT32, PointField.FLOAT32])
+                         10 * [PointField.FLOAT32] + [PointField.UINT32, PointField.FLOAT32])
         points = list(point_cloud2.read_points(cloud, field_names=names))
         self.assertEqual(sorted(p[9] for p in points), list(range(PARTICLES)))
         for point in points:

@@ -15,7 +15,7 @@ namespace {
 using visualization_msgs::Marker;
 
 ParticleSample sampleOf(std::uint32_t id, float ice) {
-  return {0.1f, 0.2f, 0.3f, 1.1f, 1.2f, 1.3f, -4.5f, ice, 0.97f, id};
+  return {0.1f, 0.2f, 0.3f, 1.1f, 1.2f, 1.3f, -4.5f, ice, 0.97f, 120.0f, id};
 }
 
 template <class Value>
@@ -46,6 +46,7 @@ TEST(Cloud, EachFieldHoldsWhatItsNameSays) {
     EXPECT_EQ(readAt<float>(cloud, 1, "temperature"), -4.5f);
     EXPECT_EQ(readAt<float>(cloud, 1, "ice_fraction"), 1.0f);
     EXPECT_EQ(readAt<float>(cloud, 1, "density"), 0.97f);
+    EXPECT_EQ(readAt<float>(cloud, 1, "pressure"), 120.0f);
     EXPECT_EQ(readAt<std::uint32_t>(cloud, 1, "id"), 9u);
     if (!rgb) continue;
     EXPECT_EQ(readAt<std::uint32_t>(cloud, 1, "rgb"), particleColour(1.0f));
