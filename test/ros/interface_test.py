@@ -60,14 +60,14 @@ class Interface(unittest.TestCase):
         self.assertEqual([f.datatype for f in cloud.fields],
                          10 * [PointField.FLOAT32] + [PointField.UINT32, PointField.FLOAT32])
         points = list(point_cloud2.read_points(cloud, field_names=names))
-        self.assertEqual(sorted(p[9] for p in points), list(range(PARTICLES)))
+        self.assertEqual(sorted(p[10] for p in points), list(range(PARTICLES)))
         for point in points:
             self.assertTrue(all(math.isfinite(value) for value in point))
             self.assertLess(max(abs(point[0]), abs(point[1])), 0.3)
             self.assertTrue(0.0 < point[2] < 0.6)
             self.assertEqual(point[6:8], (20.0, 0.0))
             self.assertTrue(0.2 < point[8] < 1.5)
-            self.assertEqual(colour(point[10]), colour(points[0][10]))
+            self.assertEqual(colour(point[11]), colour(points[0][11]))
         self.assertLess(min(p[5] for p in points), -0.1)  # it falls
 
     def test_state(self):
