@@ -134,6 +134,8 @@ class Interface(unittest.TestCase):
     def test_nobody_subscribes_so_nothing_is_built(self):
         wait_until(lambda: all(t.subscribers == 0 for t in self.node.state().topics),
                    'the end of other tests\' subscriptions')
+        self.node.run_frames(1)
+        time.sleep(0.5)  # for the colliders that the reset before this test latches
         before = self.messages_built()
         self.node.set_temperature(temperature=-5.0, ramp_s=0.0)
         self.node.run_frames(30)

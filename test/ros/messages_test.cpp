@@ -60,7 +60,7 @@ TEST(Cloud, OfNothingIsEmptyButWhole) {
   writeCloud({}, true, cloud);
   EXPECT_EQ(cloud.width, 0u);
   EXPECT_TRUE(cloud.data.empty());
-  EXPECT_EQ(cloud.fields.size(), 11u);
+  EXPECT_EQ(cloud.fields.size(), 12u);
 }
 
 TEST(Cloud, IceIsWhiterThanWater) {
