@@ -62,6 +62,7 @@ class DensityConstraint {
   Real epsilon_;  ///< 1/m^2
   bool resist_tension_;
   Real warm_start_;
+  bool begun_ = true;                ///< whether an iteration of this substep is done
   Real max_correction_;              ///< m; 0: unlimited
   PackedRows<Real> positions_;       ///< (n, 4) x_i* and lambda_i
   std::vector<Real> density_;        ///< (n) rho_i / rho_0

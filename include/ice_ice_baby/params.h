@@ -96,9 +96,9 @@ void describe(SolverParams& p, Visitor&& visit) {
         "iterations; above it the simultaneous corrections overshoot (paper: 1)");
   visit("epsilon", p.epsilon, Range{0.0, 1e3},
         "epsilon of Eq. 5 times h^2, so that it does not depend on scale (paper: 9e-5)");
-  visit("warm_start", p.warm_start, Range{0.0, 0.6},
-        "share of the latest substep's corrections that the next one starts with; above 2/3 they "
-        "build up without end (paper: 0)");
+  visit("warm_start", p.warm_start, Range{0.0, 0.5},
+        "share of the latest substep's corrections that the next one starts with; above 1/2 slow "
+        "waves grow (paper: 0)");
   visit("resist_tension", p.resist_tension,
         "whether density below rest also corrects: Eq. 5 unclamped, which clumps and can explode");
   visit(

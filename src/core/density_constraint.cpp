@@ -30,6 +30,7 @@ DensityConstraint<Real>::DensityConstraint(const Scene& scene, const WallDensity
 template <class Real>
 void DensityConstraint<Real>::warmStart(Particles<Real>& particles) {
   resize(particles.size());
+  begun_ = false;
   parallelFor(particles.size(), [&](std::size_t i) {
     multiplier_[i] *= warm_start_;
     if (!warmStarts()) return;
@@ -77,8 +78,9 @@ void DensityConstraint<Real>::finishLambda(std::size_t i) {
   const Real constraint = relative - 1;  // Eq. 2
   const Real gradients = others + own.squaredNorm() + epsilon_;
   lambda_[i] = gradients > 0 ? -relaxation_ * constraint / gradients : Real(0);  // Eq. 5
-  // Water pushes and never pulls: an iteration may take back no more than has been pushed so far.
-  if (!resist_tension_) lambda_[i] = std::min(lambda_[i], -multiplier_[i]);
+  // Water pushes and never pulls: what may be taken back is the warm start, by the first iteration.
+  const Real most = begun_ ? Real(0) : -multiplier_[i];
+  if (!resist_tension_) lambda_[i] = std::min(lambda_[i], most);
 }
 
 template <class Real>
@@ -90,6 +92,7 @@ void DensityConstraint<Real>::computeDeltaP(const Particles<Real>& particles,
     passes_.sumCorrections(pairs, delta_p_, {first, last});
     for (std::size_t i = first; i < last; ++i) finishDeltaP(i);
   });
+  begun_ = true;
 }
 
 template <class Real>

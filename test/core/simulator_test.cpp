@@ -328,6 +328,30 @@ TEST(SimulatorTest, APoolComesToRest) {
   EXPECT_LT(simulation->report().rms_speed_m_s, 0.01);
 }
 
+TEST(SimulatorTest, WarmStartIsTakenBackWhereWaterParts) {
+  Scene scene = floatingCube(6);
+  scene.solver.viscosity_1_s = 0.0;
+  scene.blocks[0].velocity_m_s = {1, 0, 0};
+  scene.blocks.push_back(test::blockOf({0.3, 0, 0}, {0.6, 0.3, 0.3}));
+  scene.blocks[1].velocity_m_s = {-1, 0, 0};
+  Simulator<double> simulator(scene, 1);
+  const double before = simulator.report().kinetic_energy_j;
+  for (int frame = 0; frame < 60; ++frame) {
+    run(simulator, 1);
+    ASSERT_LE(simulator.report().kinetic_energy_j, before * (1 + 1e-9)) << "frame " << frame;
+  }
+}
+
+TEST(SimulatorTest, IceRestsWithoutSleep) {
+  Scene scene = fullTank(6, true);
+  scene.schedule = {{0.2, -10, 0.5}};
+  scene.springs.sleep_speed_m_s = 0.0;
+  Simulator<float> simulator(scene, 1);
+  run(simulator, 180);
+  // Later sweeps that pull too keep it at millimetres a second.
+  EXPECT_LT(simulator.report().rms_speed_m_s, 5e-4);
+}
+
 TEST(SimulatorTest, PressureOfARestingPoolGrowsWithDepth) {
   Scene scene = fullTank(8, true);
   const double d = scene.fluid.spacing_m;
