@@ -146,7 +146,8 @@ void sumCorrections(const PairInput<Real>& in, VectorField<Real>& out, ParticleR
 }
 
 template <class Real>
-void sumDifferences(const PairInput<Real>& in, VectorField<Real>& out, ParticleRange range) {
+void addDifferences(const PairInput<Real>& in, Real factor, VectorField<Real>& out,
+                    ParticleRange range) {
   const Lanes<Real> d;
   const Real inverse_h2 = 1 / (in.support * in.support);
   for (std::size_t i = range.first; i < range.last; ++i) {
@@ -164,15 +165,15 @@ void sumDifferences(const PairInput<Real>& in, VectorField<Real>& out, ParticleR
       y = hn::MulAdd(weight, hn::Sub(value.y, own_value.y), y);
       z = hn::MulAdd(weight, hn::Sub(value.z, own_value.z), z);
     }
-    out.x[i] = total(d, x);
-    out.y[i] = total(d, y);
-    out.z[i] = total(d, z);
+    out.x[i] += factor * total(d, x);
+    out.y[i] += factor * total(d, y);
+    out.z[i] += factor * total(d, z);
   }
 }
 
 template <class Shape, class Real>
 PairPasses<Real> passesOf() {
-  return {&sumConstraint<Shape, Real>, &sumCorrections<Shape, Real>, &sumDifferences<Real>};
+  return {&sumConstraint<Shape, Real>, &sumCorrections<Shape, Real>, &addDifferences<Real>};
 }
 
 template <class Real>
