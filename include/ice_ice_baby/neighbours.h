@@ -39,19 +39,14 @@ class Neighbours {
   /// Builds every list from positions that lie in the order that sortOrder gave.
   void build(const VectorField<Real>& predicted);
 
-  /// Every j with |x_j* - x_i*| < h, and some that are up to skin further.
+  /// Every j with |x_j* - x_i*| < h, and some that are up to skin further. Behind the last lie
+  /// enough other indices for a vector of up to kPadding to start in the list.
   List of(std::size_t i) const {
     const Index* first = pages_.at(place_[i]);
     return {first, first + count_[i]};
   }
 
-  /// The same, filled up with i itself to a multiple of kPadding.
-  List padded(std::size_t i) const {
-    const List list = of(i);
-    return {list.first, list.first + (list.size() + kPadding - 1) / kPadding * kPadding};
-  }
-
-  /// Lanes of the widest vectors in use, so that loops over a padded list need no remainder.
+  /// Lanes of the widest vectors in use.
   static constexpr std::size_t kPadding = 16;
 
   /// Whether the latest build found two particles at exactly one point.

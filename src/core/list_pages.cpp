@@ -6,15 +6,26 @@ namespace ice_ice_baby {
 
 ListPages::Round::Taken ListPages::Round::take(std::size_t room) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (taken_ == pages_.size()) {
-    // A sixteenth more than needed, so that steady states do not allocate.
-    pages_.reserve(taken_ + 1 + taken_ / 16);
-    pages_.resize(pages_.capacity());
-    for (std::size_t k = taken_; k < pages_.size(); ++k) fit(pages_[k], kPageSize);
-  }
+  if (taken_ == pages_.size()) pages_.emplace_back();
   Page& page = pages_[taken_];
-  if (page.size < room) fit(page, room);
+  if (page.size < room) fit(page, std::max(room, kPageSize));
   return {static_cast<Index>(taken_++), page.values.get(), page.size};
+}
+
+void ListPages::Round::count(std::size_t written, std::size_t widest) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  written_ += written;
+  widest_ = std::max(widest_, widest);
+}
+
+void ListPages::Round::reserve(std::size_t writers) {
+  if (widest_ > kPageSize / 2) return;  // such lists have pages of their own
+  const std::size_t full = kPageSize - widest_;
+  const std::size_t needed = (written_ + full - 1) / full + writers - 1;
+  if (pages_.size() >= needed) return;
+  const std::size_t before = pages_.size();
+  pages_.resize(needed + needed / 32);
+  for (std::size_t k = before; k < pages_.size(); ++k) fit(pages_[k], kPageSize);
 }
 
 /// Uninitialized: a page that no list reaches costs nothing.

@@ -157,7 +157,8 @@ void Neighbours<Real>::buildChunk(std::size_t chunk, Builder& builder) {
   }
 }
 
-/// Writes the list of one particle and its padding.
+/// Writes the list of one particle, and behind it i itself, which the next list writes over: so
+/// that vectors that reach beyond a list read indices of particles.
 template <class Real>
 void Neighbours<Real>::buildList(Index i, Builder& builder) {
   const Candidates<Real>& candidates = builder.candidates;
@@ -190,6 +191,7 @@ void Neighbours<Real>::build(const VectorField<Real>& predicted) {
     for (std::size_t chunk; (chunk = next++) < chunks;) buildChunk(chunk, builder);
     if (builder.coincident) coincident = true;
   });
+  if (n > 0) round.reserve(builders);
   coincident_ = coincident;
   ++builds_;
 }
