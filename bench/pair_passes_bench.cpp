@@ -37,7 +37,8 @@ void correction(benchmark::State& state) {
 void viscosity(benchmark::State& state) {
   const Scene scene = floatingWater(1);
   Viscosity<float> stage(scene, particleVolume_m3(scene.fluid, scene.supportRadius_m()));
-  runPass(state, [&](CoreWater& w) { stage.apply(w.particles, w.neighbours, 1.0 / 480); });
+  PackedRows<float> rows;
+  runPass(state, [&](CoreWater& w) { stage.apply(w.particles, w.neighbours, 1.0 / 480, rows); });
 }
 
 BENCHMARK(lambda)->Name("passes/lambda")->Apply(allSizes);

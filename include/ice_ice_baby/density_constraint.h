@@ -40,6 +40,8 @@ class DensityConstraint {
   /// (n) rho_i / rho_0 of the latest computeLambda.
   const std::vector<Real>& density() const { return density_; }
   const std::vector<Real>& lambda() const { return lambda_; }
+  /// Scratch of each compute, free for others in between.
+  PackedRows<Real>& rows() { return positions_; }
   /// (n) sum of lambda over the iterations of the latest substep and what it was started with, m^2:
   /// -rho_0 / dt^2 of it is the pressure.
   const std::vector<Real>& multiplier() const { return multiplier_; }

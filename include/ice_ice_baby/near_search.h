@@ -22,6 +22,13 @@ struct Candidates {
   std::vector<Real> x, y, z;  ///< m; from `count` to the next multiple of a vector: infinity
   std::vector<Index> index;
   std::size_t count = 0;
+
+  /// For so many particles and two vectors.
+  void makeRoom(std::size_t particles);
+  std::size_t bytes() const {
+    return (x.capacity() + y.capacity() + z.capacity()) * sizeof(Real) +
+           index.capacity() * sizeof(Index);
+  }
 };
 
 template <class Real>
@@ -29,6 +36,7 @@ struct NearSearch {
   /// Takes every particle of the rows that is nearer than the root of `limit2` to the box around
   /// particles `cell`, in order.
   /// @param padded reaches a vector beyond the last particle
+  /// @param out has room for all of them
   void (*gather)(const VectorField<Real>& padded, IndexRange cell, const CellRows& rows,
                  Real limit2, Candidates<Real>& out);
   /// Writes every candidate j with |x_j - x_i|^2 < limit2 but i itself, in order, and up to a

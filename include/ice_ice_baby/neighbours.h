@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "ice_ice_baby/list_pages.h"
 #include "ice_ice_baby/near_search.h"
 #include "ice_ice_baby/particles.h"
 
@@ -31,29 +32,25 @@ class Neighbours {
   /// for a shift common to all: water that falls as one keeps its lists.
   bool stale(const VectorField<Real>& predicted) const;
 
-  /// Order in which particles lie cell by cell: place k is for particle order[k].
+  /// Order in which particles lie cell by cell: place k is for particle order[k]. The lists are
+  /// gone until the next build, as the sort works in their memory.
   const std::vector<Index>& sortOrder(const VectorField<Real>& predicted);
 
   /// Builds every list from positions that lie in the order that sortOrder gave.
   void build(const VectorField<Real>& predicted);
 
-  /// Every j with |x_j* - x_i*| < h, and some that are up to skin further.
+  /// Every j with |x_j* - x_i*| < h, and some that are up to skin further. Behind the last lie
+  /// enough other indices for a vector of up to kPadding to start in the list.
   List of(std::size_t i) const {
-    const Index* first = chunks_[i / kChunk].list.data() + begin_[i];
+    const Index* first = pages_.at(place_[i]);
     return {first, first + count_[i]};
   }
 
-  /// The same, filled up with i itself to a multiple of kPadding.
-  List padded(std::size_t i) const {
-    const List list = of(i);
-    return {list.first, list.first + (list.size() + kPadding - 1) / kPadding * kPadding};
-  }
-
-  /// Lanes of the widest vectors in use, so that loops over a padded list need no remainder.
+  /// Lanes of the widest vectors in use.
   static constexpr std::size_t kPadding = 16;
 
   /// Whether the latest build found two particles at exactly one point.
-  bool coincident() const;
+  bool coincident() const { return coincident_; }
 
   std::size_t builds() const { return builds_; }
   std::size_t pairs() const;
@@ -62,36 +59,38 @@ class Neighbours {
  private:
   static constexpr std::size_t kChunk = 256;
 
-  /// Padded lists of kChunk particles in a row; never shrinks, so that steady states do not
-  /// allocate.
-  struct Chunk {
-    std::vector<Index> list;
-    bool coincident = false;
-  };
   /// Particles first ... end of the next cell share this cell.
   struct Cell {
     std::uint64_t key;
     Index first;
   };
+  /// What one thread needs to build lists.
+  struct Builder {
+    Candidates<Real>& candidates;
+    ListPages::Writer lists;
+    bool coincident = false;
+  };
+  std::uint64_t cellAlong(int axis, Real value) const;
   std::uint64_t cellKey(const Vec3<Real>& point) const;
-  void sortKeys(std::size_t count);
+  void sortAlong(int axis, const std::vector<Real>& values);
   void findCells();
+  void makeRoom(std::size_t builders);
   class RowCursors;
-  void buildChunk(std::size_t chunk);
-  Index buildList(Index i, const Candidates<Real>& candidates, Index begin, Chunk& chunk);
+  void buildChunk(std::size_t chunk, Builder& builder);
+  void buildList(Index i, Builder& builder);
 
   Real reach_;
   Real skin_;
   Vec3<Real> origin_ = Vec3<Real>::Zero();
   NearSearch<Real> search_ = nearSearch<Real>();
-  VectorField<Real> built_at_;       ///< (n + kPadding) positions at the last build
-  std::vector<std::uint64_t> keys_;  ///< (n) cell of the particle at place k
-  std::vector<Index> order_;         ///< (n)
-  std::vector<std::uint64_t> key_scratch_;
-  std::vector<Index> order_scratch_;
-  std::vector<Cell> cells_;  ///< occupied cells by key, and one end mark
-  std::vector<Chunk> chunks_;
-  std::vector<Index> begin_, count_;  ///< (n) range in the chunk's list
+  VectorField<Real> built_at_;  ///< (n + kPadding) positions at the last build
+  std::vector<Index> order_;    ///< (n)
+  std::vector<Cell> cells_;     ///< occupied cells by key, and one end mark
+  std::vector<Index> place_;    ///< (n) where a list is in the pages; scratch of the sort
+  std::vector<Index> count_;    ///< (n) its size; scratch of the sort
+  ListPages pages_;
+  std::vector<Candidates<Real>> candidates_;  ///< one for each thread that builds
+  bool coincident_ = false;
   std::size_t builds_ = 0;
 };
 

@@ -58,8 +58,8 @@ struct PairPasses {
   void (*sumConstraint)(const PairInput<Real>&, ConstraintSums<Real>, ParticleRange);
   /// Sum (lambda_i + lambda_j) s (x_i - x_j), lambda in the fourth column of the positions.
   void (*sumCorrections)(const PairInput<Real>&, VectorField<Real>&, ParticleRange);
-  /// Sum (v_j - v_i) w of the cubic spline, v in the values.
-  void (*sumDifferences)(const PairInput<Real>&, VectorField<Real>&, ParticleRange);
+  /// Adds factor * sum (v_j - v_i) w of the cubic spline, v in the values.
+  void (*addDifferences)(const PairInput<Real>&, Real factor, VectorField<Real>&, ParticleRange);
 };
 
 template <class Real>

@@ -9,12 +9,12 @@
 namespace ice_ice_baby {
 
 /// Puts values[order[k]] at place k. `order` is a permutation of 0 ... n-1.
+/// @param scratch changes places with the values; what it held is lost
 template <class T>
-void permute(std::vector<T>& values, const std::vector<Index>& order) {
-  thread_local std::vector<T> sorted;
-  sorted.resize(values.size());
-  for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = values[order[k]];
-  values.swap(sorted);
+void permute(std::vector<T>& values, const std::vector<Index>& order, std::vector<T>& scratch) {
+  scratch.resize(values.size());
+  for (std::size_t k = 0; k < order.size(); ++k) scratch[k] = values[order[k]];
+  values.swap(scratch);
 }
 
 /// n vectors, one array per coordinate.
@@ -39,10 +39,11 @@ struct VectorField {
 };
 
 template <class Real>
-void permute(VectorField<Real>& field, const std::vector<Index>& order) {
-  permute(field.x, order);
-  permute(field.y, order);
-  permute(field.z, order);
+void permute(VectorField<Real>& field, const std::vector<Index>& order,
+             std::vector<Real>& scratch) {
+  permute(field.x, order, scratch);
+  permute(field.y, order, scratch);
+  permute(field.z, order, scratch);
 }
 
 template <class Real>
@@ -51,11 +52,14 @@ struct Particles {
   VectorField<Real> predicted;    ///< (n) x_i*, m
   VectorField<Real> velocity;     ///< (n) v_i, m/s
   std::vector<std::uint32_t> id;  ///< (n) number at the spawn, 0 ... n-1
+  std::vector<Real> scratch;      ///< (n) of reorder
+  std::vector<std::uint32_t> id_scratch;
 
   std::size_t size() const { return id.size(); }
   std::size_t bytes() const {
     return position.bytes() + predicted.bytes() + velocity.bytes() +
-           id.capacity() * sizeof(std::uint32_t);
+           (id.capacity() + id_scratch.capacity()) * sizeof(std::uint32_t) +
+           scratch.capacity() * sizeof(Real);
   }
 
   /// Puts particle order[k] at place k. `order` is a permutation of 0 ... n-1.

@@ -16,20 +16,18 @@ class Viscosity {
 
   /// v_i += c sum_j V (v_j - v_i) W_ij, with c = 1 - exp(-rate dt), so that the viscosity does not
   /// depend on the number of substeps. Conserves momentum.
-  void apply(Particles<Real>& particles, const Neighbours<Real>& neighbours, double dt_s);
+  /// @param scratch for the positions: any rows whose values nobody needs any more
+  void apply(Particles<Real>& particles, const Neighbours<Real>& neighbours, double dt_s,
+             PackedRows<Real>& scratch);
 
-  std::size_t bytes() const {
-    return positions_.bytes() + velocities_.bytes() + differences_.bytes();
-  }
+  std::size_t bytes() const { return velocities_.bytes(); }
 
  private:
   CubicSpline<Real> kernel_;
   Real volume_;
   double rate_1_s_;
   PairPasses<Real> passes_;
-  PackedRows<Real> positions_;     ///< (n, 4) m
-  PackedRows<Real> velocities_;    ///< (n, 4) m/s, so that no particle reads what another wrote
-  VectorField<Real> differences_;  ///< (n) m/s
+  PackedRows<Real> velocities_;  ///< (n, 4) m/s, so that no particle reads what another wrote
 };
 
 }  // namespace ice_ice_baby

@@ -131,8 +131,9 @@ void DensityConstraint<Real>::rescaleWarmStart(double ratio) {
 template <class Real>
 void DensityConstraint<Real>::reorder(const std::vector<Index>& order) {
   resize(order.size());
-  permute(multiplier_, order);
-  if (warmStarts()) permute(correction_, order);
+  std::vector<Real>& scratch = lambda_;  // computed anew before it is read
+  permute(multiplier_, order, scratch);
+  if (warmStarts()) permute(correction_, order, scratch);
 }
 
 template <class Real>

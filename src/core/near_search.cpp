@@ -67,21 +67,11 @@ struct Box {
 };
 
 template <class Real>
-void makeRoom(const CellRows& rows, Candidates<Real>& out) {
-  std::size_t room = 2 * hn::MaxLanes(Lanes<Real>());
-  for (const IndexRange& row : rows) room += row.last - row.first;
-  if (out.index.size() >= room) return;
-  for (auto* axis : {&out.x, &out.y, &out.z}) axis->resize(2 * room);
-  out.index.resize(2 * room);
-}
-
-template <class Real>
 void gather(const VectorField<Real>& padded, IndexRange cell, const CellRows& rows, Real limit2,
             Candidates<Real>& out) {
   const Lanes<Real> d;
   const hn::Rebind<Index, Lanes<Real>> d_index;
   constexpr Index kLanes = hn::MaxLanes(d);
-  makeRoom(rows, out);
   const Box<Lanes<Real>> box_x(d, padded.x, cell), box_y(d, padded.y, cell),
       box_z(d, padded.z, cell);
   const auto limit = hn::Set(d, limit2);
@@ -201,6 +191,19 @@ namespace ice_ice_baby {
 
 HWY_EXPORT(floatSearch);
 HWY_EXPORT(doubleSearch);
+
+/// A quarter more than needed, so that steady states do not allocate.
+template <class Real>
+void Candidates<Real>::makeRoom(std::size_t particles) {
+  constexpr std::size_t kVector = 16;
+  if (index.size() >= particles + 2 * kVector) return;
+  const std::size_t room = particles + particles / 4 + 2 * kVector;
+  for (auto* axis : {&x, &y, &z}) *axis = std::vector<Real>(room);
+  index = std::vector<Index>(room);
+}
+
+template struct Candidates<float>;
+template struct Candidates<double>;
 
 template <>
 NearSearch<float> nearSearch() {

@@ -1,7 +1,10 @@
 #include "ice_ice_baby/neighbours.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -28,64 +31,79 @@ bool Neighbours<Real>::stale(const VectorField<Real>& predicted) const {
 }
 
 template <class Real>
-std::uint64_t Neighbours<Real>::cellKey(const Vec3<Real>& point) const {
-  std::uint64_t cell[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    // Cells start at 1 and end before the last, so that a neighbouring cell never wraps round. The
-    // clamp keeps cells of neighbours next to each other, however far out they are.
-    // The edge is a hair longer than the reach, so that rounding cannot part neighbours by two
-    // cells.
-    const double offset = double(point[axis] - origin_[axis]) / (1.0001 * double(reach_));
-    cell[axis] = static_cast<std::uint64_t>(std::clamp(offset, 0.0, double(kMaxCell - 1))) + 1;
-  }
-  return packKey(cell[0], cell[1], cell[2]);
+std::uint64_t Neighbours<Real>::cellAlong(int axis, Real value) const {
+  // Cells start at 1 and end before the last, so that a neighbouring cell never wraps round. The
+  // clamp keeps cells of neighbours next to each other, however far out they are.
+  // The edge is a hair longer than the reach, so that rounding cannot part neighbours by two
+  // cells.
+  const double offset = double(value - origin_[axis]) / (1.0001 * double(reach_));
+  return static_cast<std::uint64_t>(std::clamp(offset, 0.0, double(kMaxCell - 1))) + 1;
 }
 
 template <class Real>
+std::uint64_t Neighbours<Real>::cellKey(const Vec3<Real>& point) const {
+  return packKey(cellAlong(0, point.x()), cellAlong(1, point.y()), cellAlong(2, point.z()));
+}
+
+/// Radix sort, axis by axis, z last.
+template <class Real>
 const std::vector<Index>& Neighbours<Real>::sortOrder(const VectorField<Real>& predicted) {
   const std::size_t n = predicted.size();
-  keys_.resize(n);
-  order_.resize(n);
+  for (auto* indices : {&order_, &place_, &count_}) indices->resize(n);
   std::iota(order_.begin(), order_.end(), Index(0));
   if (n == 0) return order_;
   origin_ = {*std::min_element(predicted.x.begin(), predicted.x.end()),
              *std::min_element(predicted.y.begin(), predicted.y.end()),
              *std::min_element(predicted.z.begin(), predicted.z.end())};
-  parallelFor(n, [&](std::size_t i) { keys_[i] = cellKey(predicted.at(i)); });
-  sortKeys(n);
+  sortAlong(0, predicted.x);
+  sortAlong(1, predicted.y);
+  sortAlong(2, predicted.z);
   return order_;
 }
 
-/// Radix sort, 10 bits a pass, leaving out passes in which all keys agree: stable, linear, and two
-/// or three passes for scenes of usual size.
+/// 10 bits a pass, leaving out passes in which all cells agree: stable, linear, and one pass an
+/// axis for scenes of usual size.
 template <class Real>
-void Neighbours<Real>::sortKeys(std::size_t count) {
+void Neighbours<Real>::sortAlong(int axis, const std::vector<Real>& values) {
   constexpr int kDigitBits = 10;
-  constexpr std::uint64_t kDigits = 1 << kDigitBits;
-  key_scratch_.resize(count);
-  order_scratch_.resize(count);
-  for (int shift = 0; shift < 3 * kBits; shift += kDigitBits) {
+  constexpr Index kDigits = 1 << kDigitBits;
+  std::vector<Index>& cells = count_;
+  std::vector<Index>& sorted = place_;
+  parallelFor(values.size(),
+              [&](std::size_t i) { cells[i] = static_cast<Index>(cellAlong(axis, values[i])); });
+  for (int shift = 0; shift < kBits; shift += kDigitBits) {
     std::array<Index, kDigits + 1> start{};
-    for (const std::uint64_t key : keys_) ++start[((key >> shift) & (kDigits - 1)) + 1];
-    if (*std::max_element(start.begin(), start.end()) == count) continue;
+    for (const Index cell : cells) ++start[((cell >> shift) & (kDigits - 1)) + 1];
+    if (*std::max_element(start.begin(), start.end()) == cells.size()) continue;
     std::partial_sum(start.begin(), start.end(), start.begin());
-    for (std::size_t k = 0; k < count; ++k) {
-      const Index place = start[(keys_[k] >> shift) & (kDigits - 1)]++;
-      key_scratch_[place] = keys_[k];
-      order_scratch_[place] = order_[k];
-    }
-    keys_.swap(key_scratch_);
-    order_.swap(order_scratch_);
+    for (const Index i : order_) sorted[start[(cells[i] >> shift) & (kDigits - 1)]++] = i;
+    order_.swap(sorted);
   }
 }
 
 template <class Real>
 void Neighbours<Real>::findCells() {
+  const auto n = static_cast<Index>(count_.size());
   cells_.clear();
-  for (std::size_t k = 0; k < keys_.size(); ++k) {
-    if (k == 0 || keys_[k] != keys_[k - 1]) cells_.push_back({keys_[k], Index(k)});
+  for (Index k = 0; k < n; ++k) {
+    const std::uint64_t key = cellKey(built_at_.at(k));
+    if (k == 0 || key != cells_.back().key) cells_.push_back({key, k});
   }
-  cells_.push_back({~std::uint64_t(0), Index(keys_.size())});
+  cells_.push_back({~std::uint64_t(0), n});
+}
+
+/// For the most candidates that any cell can have, so that it does not matter to which thread the
+/// fullest falls.
+template <class Real>
+void Neighbours<Real>::makeRoom(std::size_t builders) {
+  Index fullest = 0;
+  for (std::size_t c = 0; c + 1 < cells_.size(); ++c) {
+    fullest = std::max(fullest, cells_[c + 1].first - cells_[c].first);
+  }
+  if (candidates_.size() < builders) candidates_.resize(builders);
+  for (auto& candidates : candidates_) {
+    candidates.makeRoom(std::min(count_.size(), 27 * std::size_t(fullest)));
+  }
 }
 
 /// Rows of cells around cells that come in ascending order: each row's place only moves on.
@@ -125,52 +143,57 @@ class Neighbours<Real>::RowCursors {
 };
 
 template <class Real>
-void Neighbours<Real>::buildChunk(std::size_t chunk) {
-  thread_local Candidates<Real> candidates;
-  const Index end = static_cast<Index>(std::min((chunk + 1) * kChunk, keys_.size()));
+void Neighbours<Real>::buildChunk(std::size_t chunk, Builder& builder) {
+  const auto behind = [](Index i, const Cell& cell) { return i < cell.first; };
+  const Index end = static_cast<Index>(std::min((chunk + 1) * kChunk, count_.size()));
   Index i = static_cast<Index>(chunk * kChunk);
-  RowCursors cursors(cells_, keys_[i]);
-  Index begin = 0;
-  chunks_[chunk].coincident = false;
-  while (i < end) {
-    IndexRange cell{i, i};
-    while (cell.last < end && keys_[cell.last] == keys_[i]) ++cell.last;
-    search_.gather(built_at_, cell, cursors.rowsAround(keys_[i]), reach_ * reach_, candidates);
-    for (; i < cell.last; ++i) begin = buildList(i, candidates, begin, chunks_[chunk]);
+  auto cell = std::upper_bound(cells_.begin(), cells_.end(), i, behind) - 1;
+  RowCursors cursors(cells_, cell->key);
+  for (; i < end; ++cell) {
+    const IndexRange range{i, std::min(end, cell[1].first)};
+    search_.gather(built_at_, range, cursors.rowsAround(cell->key), reach_ * reach_,
+                   builder.candidates);
+    for (; i < range.last; ++i) buildList(i, builder);
   }
 }
 
-/// Writes the list of one particle and its padding at `begin`. Returns where the next one starts.
+/// Writes the list of one particle, and behind it i itself, which the next list writes over: so
+/// that vectors that reach beyond a list read indices of particles.
 template <class Real>
-Index Neighbours<Real>::buildList(Index i, const Candidates<Real>& candidates, Index begin,
-                                  Chunk& chunk) {
-  const std::size_t room = begin + candidates.count + 2 * kPadding;  // whole vectors are written
-  if (chunk.list.size() < room) chunk.list.resize(room + room / 8);
-  Index* first = chunk.list.data() + begin;
-  Index* last = search_.collect(candidates, built_at_, i, reach_ * reach_, first, chunk.coincident);
-  begin_[i] = begin;
-  count_[i] = static_cast<Index>(last - first);
+void Neighbours<Real>::buildList(Index i, Builder& builder) {
+  const Candidates<Real>& candidates = builder.candidates;
+  Index* first = builder.lists.start(candidates.count + 2 * kPadding);  // writes whole vectors
+  Index* last =
+      search_.collect(candidates, built_at_, i, reach_ * reach_, first, builder.coincident);
   std::fill(last, last + kPadding, i);
-  return begin + static_cast<Index>(padded(i).size());
+  count_[i] = static_cast<Index>(last - first);
+  place_[i] = builder.lists.finish(count_[i]);
 }
 
 template <class Real>
 void Neighbours<Real>::build(const VectorField<Real>& predicted) {
   const std::size_t n = predicted.size();
+  built_at_.resize(n + kPadding);  // before the copy: growing after it would double the memory
+  std::copy(predicted.x.begin(), predicted.x.end(), built_at_.x.begin());
+  std::copy(predicted.y.begin(), predicted.y.end(), built_at_.y.begin());
+  std::copy(predicted.z.begin(), predicted.z.end(), built_at_.z.begin());
+  for (auto* indices : {&place_, &count_}) indices->resize(n);
   findCells();
-  built_at_ = predicted;
-  built_at_.resize(n + kPadding);
-  begin_.resize(n);
-  count_.resize(n);
   const std::size_t chunks = (n + kChunk - 1) / kChunk;
-  chunks_.resize(chunks);
-  tbb::parallel_for(std::size_t(0), chunks, [&](std::size_t k) { buildChunk(k); });
+  const std::size_t threads = std::size_t(tbb::this_task_arena::max_concurrency());
+  const std::size_t builders = std::min(chunks, threads);
+  makeRoom(builders);
+  ListPages::Round round(pages_);
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> coincident{false};
+  tbb::parallel_for(std::size_t(0), builders, [&](std::size_t k) {
+    Builder builder{candidates_[k], ListPages::Writer(round)};
+    for (std::size_t chunk; (chunk = next++) < chunks;) buildChunk(chunk, builder);
+    if (builder.coincident) coincident = true;
+  });
+  if (n > 0) round.reserve(builders);
+  coincident_ = coincident;
   ++builds_;
-}
-
-template <class Real>
-bool Neighbours<Real>::coincident() const {
-  return std::any_of(chunks_.begin(), chunks_.end(), [](const Chunk& c) { return c.coincident; });
 }
 
 template <class Real>
@@ -180,12 +203,9 @@ std::size_t Neighbours<Real>::pairs() const {
 
 template <class Real>
 std::size_t Neighbours<Real>::bytes() const {
-  std::size_t total =
-      built_at_.bytes() + (keys_.capacity() + key_scratch_.capacity()) * sizeof(std::uint64_t) +
-      (order_.capacity() + order_scratch_.capacity() + begin_.capacity() + count_.capacity()) *
-          sizeof(Index) +
-      cells_.capacity() * sizeof(Cell);
-  for (const Chunk& chunk : chunks_) total += chunk.list.capacity() * sizeof(Index);
+  std::size_t total = built_at_.bytes() + cells_.capacity() * sizeof(Cell) + pages_.bytes() +
+                      (order_.capacity() + place_.capacity() + count_.capacity()) * sizeof(Index);
+  for (const auto& candidates : candidates_) total += candidates.bytes();
   return total;
 }
 

@@ -19,12 +19,27 @@ struct Pairs {
   hn::Vec<D> x, y, z;  ///< x_i - x_j, m
   hn::Vec<D> fourth;   ///< of the neighbours
   hn::Vec<D> square;   ///< q^2 = (r / h)^2
-  hn::Mask<D> within;  ///< 0 < q < 1
+  hn::Mask<D> near;    ///< in the list and q < 1
+  hn::Mask<D> within;  ///< and 0 < q
 };
 
-template <class D, class Real>
+/// Which lanes of a vector hold neighbours.
+template <class D>
+struct Some {
+  hn::Mask<D> mask;
+  HWY_INLINE hn::Mask<D> operator()(hn::Mask<D> other) const { return hn::And(mask, other); }
+};
+struct All {
+  template <class Mask>
+  HWY_INLINE Mask operator()(Mask other) const {
+    return other;
+  }
+};
+
+/// With the neighbours at j in the lanes that are kept.
+template <class D, class Real, class Kept>
 HWY_INLINE Pairs<D> loadPairs(D d, const Columns<D>& own, Real inverse_h2, const Real* positions,
-                              const Index* j) {
+                              const Index* j, Kept kept) {
   const Columns<D> other = loadRows(d, positions, j);
   Pairs<D> pairs;
   pairs.x = hn::Sub(own.x, other.x);
@@ -34,9 +49,17 @@ HWY_INLINE Pairs<D> loadPairs(D d, const Columns<D>& own, Real inverse_h2, const
   const auto r2 =
       hn::MulAdd(pairs.x, pairs.x, hn::MulAdd(pairs.y, pairs.y, hn::Mul(pairs.z, pairs.z)));
   pairs.square = hn::Mul(r2, hn::Set(d, inverse_h2));
-  pairs.within =
-      hn::And(hn::Gt(pairs.square, hn::Zero(d)), hn::Lt(pairs.square, hn::Set(d, Real(1))));
+  pairs.near = kept(hn::Lt(pairs.square, hn::Set(d, Real(1))));
+  pairs.within = hn::And(pairs.near, hn::Gt(pairs.square, hn::Zero(d)));
   return pairs;
+}
+
+/// Calls visit(j, kept) for vectors of neighbours at j. Only the last one masks lanes, which the
+/// others need not pay for.
+template <class D, class List, class Visit>
+HWY_INLINE void forEachVector(D d, List list, const Visit& visit) {
+  for (; list.size() >= hn::MaxLanes(d); list.first += hn::MaxLanes(d)) visit(list.first, All());
+  if (list.size() > 0) visit(list.first, Some<D>{hn::FirstN(d, list.size())});
 }
 
 /// One particle in every lane.
@@ -102,9 +125,8 @@ void sumConstraint(const PairInput<Real>& in, ConstraintSums<Real> out, Particle
   for (std::size_t i = range.first; i < range.last; ++i) {
     const auto own = spread(d, in.positions, i);
     auto density = hn::Zero(d), squares = density, x = density, y = density, z = density;
-    const auto list = in.neighbours.padded(i);
-    for (const Index* j = list.first; j != list.last; j += hn::MaxLanes(d)) {
-      const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j);
+    forEachVector(d, in.neighbours.of(i), [&](const Index* j, auto kept) HWY_ATTR {
+      const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j, kept);
       const auto q = hn::Sqrt(pairs.square);
       const auto weight = Shape::weight(d, q, pairs.square);
       const auto slope = hn::IfThenElseZero(pairs.within, Shape::slope(d, q));
@@ -113,7 +135,7 @@ void sumConstraint(const PairInput<Real>& in, ConstraintSums<Real> out, Particle
       x = hn::MulAdd(slope, pairs.x, x);
       y = hn::MulAdd(slope, pairs.y, y);
       z = hn::MulAdd(slope, pairs.z, z);
-    }
+    });
     out.density[i] = total(d, density);
     out.squares[i] = total(d, squares);
     out.gradients.x[i] = total(d, x);
@@ -129,16 +151,15 @@ void sumCorrections(const PairInput<Real>& in, VectorField<Real>& out, ParticleR
   for (std::size_t i = range.first; i < range.last; ++i) {
     const auto own = spread(d, in.positions, i);
     auto x = hn::Zero(d), y = x, z = x;
-    const auto list = in.neighbours.padded(i);
-    for (const Index* j = list.first; j != list.last; j += hn::MaxLanes(d)) {
-      const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j);
+    forEachVector(d, in.neighbours.of(i), [&](const Index* j, auto kept) HWY_ATTR {
+      const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j, kept);
       const auto slope = Shape::slope(d, hn::Sqrt(pairs.square));
       const auto both = hn::Add(own.w, pairs.fourth);
       const auto push = hn::IfThenElseZero(pairs.within, hn::Mul(both, slope));
       x = hn::MulAdd(push, pairs.x, x);
       y = hn::MulAdd(push, pairs.y, y);
       z = hn::MulAdd(push, pairs.z, z);
-    }
+    });
     out.x[i] = total(d, x);
     out.y[i] = total(d, y);
     out.z[i] = total(d, z);
@@ -146,33 +167,32 @@ void sumCorrections(const PairInput<Real>& in, VectorField<Real>& out, ParticleR
 }
 
 template <class Real>
-void sumDifferences(const PairInput<Real>& in, VectorField<Real>& out, ParticleRange range) {
+void addDifferences(const PairInput<Real>& in, Real factor, VectorField<Real>& out,
+                    ParticleRange range) {
   const Lanes<Real> d;
   const Real inverse_h2 = 1 / (in.support * in.support);
   for (std::size_t i = range.first; i < range.last; ++i) {
     const auto own = spread(d, in.positions, i);
     const auto own_value = spread(d, in.values, i);
     auto x = hn::Zero(d), y = x, z = x;
-    const auto list = in.neighbours.padded(i);
-    for (const Index* j = list.first; j != list.last; j += hn::MaxLanes(d)) {
-      const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j);
+    forEachVector(d, in.neighbours.of(i), [&](const Index* j, auto kept) HWY_ATTR {
+      const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j, kept);
       const auto value = loadRows(d, in.values, j);
-      const auto near = hn::Lt(pairs.square, hn::Set(d, Real(1)));
       const auto weight =
-          hn::IfThenElseZero(near, cubicWeight(d, hn::Sqrt(pairs.square), pairs.square));
+          hn::IfThenElseZero(pairs.near, cubicWeight(d, hn::Sqrt(pairs.square), pairs.square));
       x = hn::MulAdd(weight, hn::Sub(value.x, own_value.x), x);
       y = hn::MulAdd(weight, hn::Sub(value.y, own_value.y), y);
       z = hn::MulAdd(weight, hn::Sub(value.z, own_value.z), z);
-    }
-    out.x[i] = total(d, x);
-    out.y[i] = total(d, y);
-    out.z[i] = total(d, z);
+    });
+    out.x[i] += factor * total(d, x);
+    out.y[i] += factor * total(d, y);
+    out.z[i] += factor * total(d, z);
   }
 }
 
 template <class Shape, class Real>
 PairPasses<Real> passesOf() {
-  return {&sumConstraint<Shape, Real>, &sumCorrections<Shape, Real>, &sumDifferences<Real>};
+  return {&sumConstraint<Shape, Real>, &sumCorrections<Shape, Real>, &addDifferences<Real>};
 }
 
 template <class Real>

@@ -4,10 +4,10 @@ namespace ice_ice_baby {
 
 template <class Real>
 void Particles<Real>::reorder(const std::vector<Index>& order) {
-  permute(position, order);
-  permute(predicted, order);
-  permute(velocity, order);
-  permute(id, order);
+  permute(position, order, scratch);
+  permute(predicted, order, scratch);
+  permute(velocity, order, scratch);
+  permute(id, order, id_scratch);
 }
 
 template <class Real>

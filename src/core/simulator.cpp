@@ -119,7 +119,9 @@ void Simulator<Real>::substep(double dt_s) {
   if (moved_since_response && !colliders_.empty()) collide_clock_.run([&] { finishCollisions(); });
 
   velocity_clock_.run([&] { updateVelocityAndPosition(dt); });
-  if (viscosity_) viscosity_clock_.run([&] { viscosity_->apply(particles_, neighbours_, dt_s); });
+  if (viscosity_)
+    viscosity_clock_.run(
+        [&] { viscosity_->apply(particles_, neighbours_, dt_s, density_->rows()); });
 }
 
 template <class Real>

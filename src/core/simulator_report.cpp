@@ -117,7 +117,7 @@ Simulation::DensityError Simulator<Real>::measureDensityError() {
   arena_.execute([&] {
     Neighbours<Real> fresh(h, 0);
     VectorField<Real> sorted = particles_.position;
-    permute(sorted, fresh.sortOrder(particles_.position));
+    permute(sorted, fresh.sortOrder(particles_.position), density);
     fresh.build(sorted);
     parallelFor(sorted.size(), [&](std::size_t i) {
       const Vec3<Real> xi = sorted.at(i);

@@ -15,19 +15,15 @@ Viscosity<Real>::Viscosity(const Scene& scene, double volume_m3)
 
 template <class Real>
 void Viscosity<Real>::apply(Particles<Real>& particles, const Neighbours<Real>& neighbours,
-                            double dt_s) {
+                            double dt_s, PackedRows<Real>& scratch) {
   const std::size_t n = particles.size();
   const Real share = static_cast<Real>(1.0 - std::exp(-rate_1_s_ * dt_s));
   const Real factor = volume_ * share * kernel_.w(0);
-  positions_.pack(particles.predicted);
+  scratch.pack(particles.predicted);
   velocities_.pack(particles.velocity);
-  differences_.resize(n);
-  const PairInput<Real> pairs{neighbours, positions_.data(), velocities_.data(), kernel_.h};
+  const PairInput<Real> pairs{neighbours, scratch.data(), velocities_.data(), kernel_.h};
   parallelForRanges(n, [&](std::size_t first, std::size_t last) {
-    passes_.sumDifferences(pairs, differences_, {first, last});
-    for (std::size_t i = first; i < last; ++i) {
-      particles.velocity.add(i, factor * differences_.at(i));
-    }
+    passes_.addDifferences(pairs, factor, particles.velocity, {first, last});
   });
 }
 

@@ -67,6 +67,7 @@ template <class Function>
 typename WallDensity<Real>::Table WallDensity<Real>::tabulate(const Function& function) const {
   Table table;
   table.per_m = static_cast<Real>(kTableSize / h_);
+  table.values.reserve(kTableSize + 2);
   for (int k = 0; k <= kTableSize; ++k) {
     table.values.push_back(static_cast<Real>(function(h_ * k / kTableSize)));
   }
@@ -106,6 +107,7 @@ template <class Real>
 typename WallDensity<Real>::EdgeTable WallDensity<Real>::edge() const {
   EdgeTable table;
   table.per_m = static_cast<Real>(kEdgeSize / h_);
+  table.values.reserve((kEdgeSize + 1) * (kEdgeSize + 1));
   for (int a = 0; a <= kEdgeSize; ++a) {
     for (int b = 0; b <= kEdgeSize; ++b) {
       table.values.push_back(
@@ -137,6 +139,7 @@ template <class Real>
 std::vector<Real> WallDensity<Real>::corner() const {
   std::vector<Real> values;
   const double step = h_ / kCornerSize;
+  values.reserve((kCornerSize + 1) * (kCornerSize + 1) * (kCornerSize + 1));
   for (int a = 0; a <= kCornerSize; ++a) {
     for (int b = 0; b <= kCornerSize; ++b) {
       for (int c = 0; c <= kCornerSize; ++c) {

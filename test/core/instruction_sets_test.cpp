@@ -63,7 +63,7 @@ Sums<Real> vectorSums(const Cloud<Real>& cloud, KernelPair kernel) {
   const ParticleRange all{0, x.size()};
   passes.sumConstraint(pairs, {sums.density, sums.squares, sums.gradients}, all);
   passes.sumCorrections(pairs, sums.corrections, all);
-  passes.sumDifferences(pairs, sums.differences, all);
+  passes.addDifferences(pairs, Real(1), sums.differences, all);
   return sums;
 }
 

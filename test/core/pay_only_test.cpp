@@ -49,8 +49,8 @@ Scene waterOnly() {
   return scene;
 }
 
-std::unique_ptr<Simulation> ran(const Scene& scene, int frames) {
-  auto simulation = makeSimulation(scene, Precision::kFloat, 1);
+std::unique_ptr<Simulation> ran(const Scene& scene, int frames, int threads = 1) {
+  auto simulation = makeSimulation(scene, Precision::kFloat, threads);
   for (int k = 0; k < frames; ++k) simulation->advanceFrame();
   return simulation;
 }
@@ -128,6 +128,11 @@ TEST(PayOnly, WhatASceneLacksTakesNoMemory) {
   EXPECT_LT(with_walls["collide"].bytes, 1000u) << "grows with the colliders, not the particles";
 }
 
+TEST(PayOnly, WaterTakesAtMost400BytesAParticle) {
+  Scene pool = test::fullTank(20);
+  EXPECT_LT(double(bytesOf(*ran(pool, 10))) / 8000, 400.0);
+}
+
 TEST(PayOnly, MeltedWaterCostsWhatWaterNeverFrozenDoes) {
   const auto water = ran(test::fullTank(6), 3);
   const auto melted = ran(test::fullTank(6), 1);
@@ -140,10 +145,9 @@ TEST(PayOnly, MeltedWaterCostsWhatWaterNeverFrozenDoes) {
   EXPECT_EQ(melted->report().springs, 0u);
 }
 
-/// Allocations of 30 frames after a warm-up in which every array has grown to its size. On one
-/// thread: which of several has the most to hold is not the same in every run.
-std::uint64_t steadyAllocations(const Scene& scene, int warm_up_frames) {
-  const auto simulation = ran(scene, warm_up_frames);
+/// Allocations of 30 frames after a warm-up in which every array has grown to its size.
+std::uint64_t steadyAllocations(const Scene& scene, int warm_up_frames, int threads) {
+  const auto simulation = ran(scene, warm_up_frames, threads);
   const std::uint64_t before = allocations;
   for (int k = 0; k < 30; ++k) simulation->advanceFrame();
   return allocations - before;
@@ -155,17 +159,22 @@ TEST(PayOnly, TheCounterCounts) {
   EXPECT_EQ(allocations - before, 2u);
 }
 
-TEST(PayOnly, AStillPoolAllocatesNothing) {
-  EXPECT_EQ(steadyAllocations(test::fullTank(10, true), 10), 0u);
+class SteadyState : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Threads, SteadyState, testing::Values(1, 2));
+
+TEST_P(SteadyState, OfAStillPoolAllocatesNothing) {
+  EXPECT_EQ(steadyAllocations(test::fullTank(10, true), 10, GetParam()), 0u);
 }
 
-TEST(PayOnly, ASplashAllocatesNothing) { EXPECT_EQ(steadyAllocations(test::splash(), 30), 0u); }
+TEST_P(SteadyState, OfASplashAllocatesNothing) {
+  EXPECT_EQ(steadyAllocations(test::splash(), 30, GetParam()), 0u);
+}
 
-TEST(PayOnly, FrozenWaterAllocatesNothing) {
+TEST_P(SteadyState, OfFrozenWaterAllocatesNothing) {
   Scene scene = test::fullTank(6);
   scene.temperature.initial_c = -10.0;
   scene.springs.sleep_speed_m_s = 0.0;
-  EXPECT_EQ(steadyAllocations(scene, 5), 0u);
+  EXPECT_EQ(steadyAllocations(scene, 5, GetParam()), 0u);
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ TYPED_TEST(ViscosityTest, IsTheSumOverEveryPair) {
   const Particles<TypeParam> before = cloud.particles;
   const Scene scene = viscousScene(rate);
   Viscosity<TypeParam> viscosity(scene, volumeOf(scene));
-  viscosity.apply(cloud.particles, cloud.neighbours, dt);
+  PackedRows<TypeParam> rows;
+  viscosity.apply(cloud.particles, cloud.neighbours, dt, rows);
   const CubicSpline<double> kernel(0.1);
   for (std::size_t i = 0; i < before.size(); ++i) {
     Vec3d v = before.velocity.at(i).template cast<double>();
@@ -61,6 +62,7 @@ TEST(ViscosityConservation, KeepsMomentumAndTakesEnergy) {
       movingCloud<double>(test::randomPoints(800, Vec3d::Zero(), Vec3d::Constant(0.45), 73));
   const Scene scene = viscousScene(30);
   Viscosity<double> viscosity(scene, volumeOf(scene));
+  PackedRows<double> rows;
   const Vec3d momentum = test::sumOf(cloud.particles.velocity);
   const auto energy = [&] {
     double sum = 0;
@@ -68,7 +70,7 @@ TEST(ViscosityConservation, KeepsMomentumAndTakesEnergy) {
     return sum;
   };
   const double before = energy();
-  viscosity.apply(cloud.particles, cloud.neighbours, 0.002);
+  viscosity.apply(cloud.particles, cloud.neighbours, 0.002, rows);
   EXPECT_LT((test::sumOf(cloud.particles.velocity) - momentum).norm(), 1e-12 * 800);
   EXPECT_LT(energy(), before);
 }
@@ -78,8 +80,9 @@ TEST(ViscosityRate, DoesNotDependOnTheNumberOfSubsteps) {
     auto cloud = movingCloud<double>({Vec3d::Zero(), Vec3d(0.03, 0, 0)});
     const Scene scene = viscousScene(5);
     Viscosity<double> viscosity(scene, volumeOf(scene));
+    PackedRows<double> rows;
     for (int k = 0; k < substeps; ++k) {
-      viscosity.apply(cloud.particles, cloud.neighbours, 0.02 / substeps);
+      viscosity.apply(cloud.particles, cloud.neighbours, 0.02 / substeps, rows);
     }
     return (cloud.particles.velocity.at(0) - cloud.particles.velocity.at(1)).norm();
   };
@@ -91,7 +94,8 @@ TEST(ViscosityRate, ACommonVelocityStays) {
   for (std::size_t i = 0; i < 125; ++i) cloud.particles.velocity.set(i, {1, -2, 3});
   const Scene scene = viscousScene(1e4);
   Viscosity<double> viscosity(scene, volumeOf(scene));
-  viscosity.apply(cloud.particles, cloud.neighbours, 1.0);
+  PackedRows<double> rows;
+  viscosity.apply(cloud.particles, cloud.neighbours, 1.0, rows);
   for (std::size_t i = 0; i < 125; ++i) {
     EXPECT_LT((cloud.particles.velocity.at(i) - Vec3d(1, -2, 3)).norm(), 1e-14);
   }

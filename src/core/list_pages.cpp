@@ -1,0 +1,43 @@
+#include "ice_ice_baby/list_pages.h"
+
+#include <algorithm>
+
+namespace ice_ice_baby {
+
+ListPages::Round::Taken ListPages::Round::take(std::size_t room) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (taken_ == pages_.size()) pages_.emplace_back();
+  Page& page = pages_[taken_];
+  if (page.size < room) fit(page, std::max(room, kPageSize));
+  return {static_cast<Index>(taken_++), page.values.get(), page.size};
+}
+
+void ListPages::Round::count(std::size_t written, std::size_t widest) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  written_ += written;
+  widest_ = std::max(widest_, widest);
+}
+
+void ListPages::Round::reserve(std::size_t writers) {
+  if (widest_ > kPageSize / 2) return;  // such lists have pages of their own
+  const std::size_t full = kPageSize - widest_;
+  const std::size_t needed = (written_ + full - 1) / full + writers - 1;
+  if (pages_.size() >= needed) return;
+  const std::size_t before = pages_.size();
+  pages_.resize(needed + needed / 32);
+  for (std::size_t k = before; k < pages_.size(); ++k) fit(pages_[k], kPageSize);
+}
+
+/// Uninitialized: a page that no list reaches costs nothing.
+void ListPages::Round::fit(Page& page, std::size_t size) {
+  page.values.reset(new Index[size]);
+  page.size = size;
+}
+
+std::size_t ListPages::bytes() const {
+  std::size_t total = pages_.capacity() * sizeof(Page);
+  for (const Page& page : pages_) total += page.size * sizeof(Index);
+  return total;
+}
+
+}  // namespace ice_ice_baby
