@@ -43,6 +43,7 @@ void runScene(benchmark::State& state, MakeScene make, double from_s) {
   for (const auto& [name, time_s] : stageTimes_s(*simulation)) {
     state.counters["stage_" + name] = (time_s - before[name]) / work;
   }
+  state.counters["iterations_per_substep"] = solver.iterations;
   state.counters["bytes_per_particle"] = bytesPerParticle(*simulation);
 }
 

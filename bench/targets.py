@@ -33,11 +33,12 @@ def measure(program):
 
 
 def iteration(found, name, without=()):
-    return sum(
+    per_substep = sum(
         found.median(f"{name} stage_{stage}")
         for stage in ITERATION
         if stage not in without and f"{name} stage_{stage}" in found
     )
+    return per_substep / found.median(f"{name} iterations_per_substep")
 
 
 def print_targets(folder, runs):
