@@ -3,18 +3,11 @@
 import csv
 import datetime
 import os
-import pathlib
 import re
 
 from builds import ROOT, Tree, commit_name
+from error_runtime.machine import processor
 from series import Progress, Series, microbench
-
-
-def processor():
-    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            return line.split(":", 1)[1].strip()
-    return "unknown processor"
 
 
 def write(folder, runs):

@@ -20,27 +20,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class Real>
 using Lanes = hn::CappedTag<Real, 16>;
 
-/// A mask over reals as a mask over as many indices.
-template <class D, class DIndex>
-HWY_INLINE hn::Mask<DIndex> indexMask(D d, DIndex d_index, hn::Mask<D> mask) {
-  if constexpr (sizeof(hn::TFromD<D>) == sizeof(Index)) {
-    return hn::RebindMask(d_index, mask);
+/// A mask over lanes of one type as a mask over as many lanes of another.
+template <class DTo, class DFrom>
+HWY_INLINE hn::Mask<DTo> convertMask(DTo to, DFrom from, hn::Mask<DFrom> mask) {
+  if constexpr (sizeof(hn::TFromD<DTo>) == sizeof(hn::TFromD<DFrom>)) {
+    return hn::RebindMask(to, mask);
   } else {
     std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, mask, bits);
-    return hn::LoadMaskBits(d_index, bits);
-  }
-}
-
-/// The other way round.
-template <class D, class DIndex>
-HWY_INLINE hn::Mask<D> realMask(D d, DIndex d_index, hn::Mask<DIndex> mask) {
-  if constexpr (sizeof(hn::TFromD<D>) == sizeof(Index)) {
-    return hn::RebindMask(d, mask);
-  } else {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d_index, mask, bits);
-    return hn::LoadMaskBits(d, bits);
+    hn::StoreMaskBits(from, mask, bits);
+    return hn::LoadMaskBits(to, bits);
   }
 }
 
@@ -85,13 +73,13 @@ void gather(const VectorField<Real>& padded, IndexRange cell, const CellRows& ro
       const auto r2 = squaredNorm(d, box_x.beyond(d, x), box_y.beyond(d, y), box_z.beyond(d, z));
       const auto indices = hn::Iota(d_index, j);
       const auto inside = hn::Lt(indices, last);
-      const auto near = hn::And(realMask(d, d_index, inside), hn::Lt(r2, limit));
+      const auto near = hn::And(convertMask(d, d_index, inside), hn::Lt(r2, limit));
       // Compressing in a register and storing all of it is many times faster on some processors
       // than storing compressed.
       hn::StoreU(hn::Compress(x, near), d, &out.x[count]);
       hn::StoreU(hn::Compress(y, near), d, &out.y[count]);
       hn::StoreU(hn::Compress(z, near), d, &out.z[count]);
-      hn::StoreU(hn::Compress(indices, indexMask(d, d_index, near)), d_index, &out.index[count]);
+      hn::StoreU(hn::Compress(indices, convertMask(d_index, d, near)), d_index, &out.index[count]);
       count += hn::CountTrue(d, near);
     }
   }
@@ -118,8 +106,8 @@ Index* collect(const Candidates<Real>& candidates, const VectorField<Real>& padd
                                 hn::Sub(hn::LoadU(d, &candidates.z[k]), own_z));
     const auto indices = hn::LoadU(d_index, &candidates.index[k]);
     const auto other = hn::Ne(indices, own);
-    const auto near = hn::And(other, indexMask(d, d_index, hn::Lt(r2, limit)));
-    const auto same = hn::And(other, indexMask(d, d_index, hn::Eq(r2, hn::Zero(d))));
+    const auto near = hn::And(other, convertMask(d_index, d, hn::Lt(r2, limit)));
+    const auto same = hn::And(other, convertMask(d_index, d, hn::Eq(r2, hn::Zero(d))));
     here = hn::Or(here, hn::VecFromMask(d_index, same));
     hn::StoreU(hn::Compress(indices, near), d_index, out);
     out += hn::CountTrue(d_index, near);
