@@ -28,10 +28,12 @@ constexpr double kMaxCoordinate_m = 100.0;
 enum class Preset { kDefault, kPaper };
 enum class KernelPair { kCubic, kPoly6Spiky };
 enum class Quality { kFast, kBalanced, kAccurate };
+enum class WallHeat { kInsulated, kTemperature, kFlux };
 
 inline std::vector<std::string> choices(Preset) { return {"default", "paper"}; }
 inline std::vector<std::string> choices(KernelPair) { return {"cubic", "poly6_spiky"}; }
 inline std::vector<std::string> choices(Quality) { return {"fast", "balanced", "accurate"}; }
+inline std::vector<std::string> choices(WallHeat) { return {"insulated", "temperature", "flux"}; }
 
 struct FluidParams {
   double spacing_m = 0.0211;
@@ -153,6 +155,88 @@ void describe(SpringParams& p, Visitor&& visit) {
         "whether frozen water does not slide on what it touches (paper: false)");
   visit("sleep_speed_m_s", p.sleep_speed_m_s, Range{0.0, 10.0},
         "frozen water slower than this for half a second sleeps until something changes; 0: never");
+}
+
+struct HeatParams {
+  bool enabled = false;
+  double speedup = 1.0;
+  double freezing_c = 0.0;
+  double hysteresis_c = 0.2;
+  double boiling_c = 100.0;
+  double fusion_j_kg = 334e3;
+  double vaporisation_j_kg = 2.26e6;
+  double ice_capacity_j_kgk = 2050.0;
+  double water_capacity_j_kgk = 4186.0;
+  double steam_capacity_j_kgk = 2010.0;
+  double ice_conductivity_w_mk = 2.22;
+  double water_conductivity_w_mk = 0.58;
+  double air_transfer_w_m2k = 20.0;
+};
+
+template <class Visitor>
+void describe(HeatParams& p, Visitor&& visit) {
+  visit("enabled", p.enabled,
+        "whether every particle has a temperature of its own, freezes into rigid ice and melts; "
+        "false: one temperature for the whole scene, as the paper has it");
+  visit("speedup", p.speedup, Range{0.0, 1e7},
+        "seconds of heat that pass in one simulated second, so that a person can watch a pond "
+        "freeze");
+  visit("freezing_c", p.freezing_c, Range{-100.0, 100.0}, "where water freezes and ice melts");
+  visit("hysteresis_c", p.hysteresis_c, Range{0.0, 10.0},
+        "water turns rigid this far below freezing_c and ice comes loose this far above");
+  visit("boiling_c", p.boiling_c, Range{1.0, 900.0}, "where water boils; above freezing_c");
+  visit("fusion_j_kg", p.fusion_j_kg, Range{1.0, 1e8}, "latent heat of freezing");
+  visit("vaporisation_j_kg", p.vaporisation_j_kg, Range{1.0, 1e9}, "latent heat of boiling");
+  visit("ice_capacity_j_kgk", p.ice_capacity_j_kgk, Range{1.0, 1e6}, "heat capacity of ice");
+  visit("water_capacity_j_kgk", p.water_capacity_j_kgk, Range{1.0, 1e6}, "heat capacity of water");
+  visit("steam_capacity_j_kgk", p.steam_capacity_j_kgk, Range{1.0, 1e6}, "heat capacity of steam");
+  visit("ice_conductivity_w_mk", p.ice_conductivity_w_mk, Range{0.0, 1e4}, "conductivity of ice");
+  visit("water_conductivity_w_mk", p.water_conductivity_w_mk, Range{0.0, 1e4},
+        "conductivity of water");
+  visit("air_transfer_w_m2k", p.air_transfer_w_m2k, Range{0.0, 1e6},
+        "heat transfer between a free surface and the air; 0: insulated");
+}
+
+struct IceParams {
+  double density_ratio = 0.917;
+  double friction = 0.05;
+  bool stick_to_cold = true;
+  double sleep_speed_m_s = 1e-3;
+  double compliance_m_n = 0.0;
+  double break_strain = 0.0;
+};
+
+template <class Visitor>
+void describe(IceParams& p, Visitor&& visit) {
+  visit("density_ratio", p.density_ratio, Range{0.5, 2.0},
+        "density of ice over that of water: below 1 freezing water expands and ice floats");
+  visit("friction", p.friction, Range{0.0, 10.0}, "Coulomb coefficient of ice on ice");
+  visit("stick_to_cold", p.stick_to_cold,
+        "whether water that freezes on a wall sticks to it until it melts");
+  visit("sleep_speed_m_s", p.sleep_speed_m_s, Range{0.0, 1.0},
+        "dry ice slower than this for half a second sleeps until something changes; 0: never");
+  visit("compliance_m_n", p.compliance_m_n, Range{0.0, 1.0},
+        "stretch of a spring per newton: 0, or less than 1e-8 in nature: rigid; above 0 the ice is "
+        "elastic");
+  visit("break_strain", p.break_strain, Range{0.0, 10.0},
+        "relative stretch at which a spring of elastic ice breaks; 0: never");
+}
+
+struct SteamParams {
+  double rise_speed_m_s = 0.5;
+  double drag_1_s = 10.0;
+  double transfer_w_m2k = 100.0;
+  double condensation_w_m2k = 5000.0;
+};
+
+template <class Visitor>
+void describe(SteamParams& p, Visitor&& visit) {
+  visit("rise_speed_m_s", p.rise_speed_m_s, Range{0.0, 100.0}, "at which steam rises in still air");
+  visit("drag_1_s", p.drag_1_s, Range{0.01, 1e4}, "rate at which it takes on that speed");
+  visit("transfer_w_m2k", p.transfer_w_m2k, Range{0.0, 1e6},
+        "heat transfer between a puff of steam and the air");
+  visit("condensation_w_m2k", p.condensation_w_m2k, Range{0.0, 1e6},
+        "heat transfer between steam and a wall that it touches");
 }
 
 struct LimitParams {

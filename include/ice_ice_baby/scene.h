@@ -22,6 +22,7 @@ struct Block {
   Vec3d velocity_m_s = Vec3d::Zero();
   Mat3<double> velocity_gradient_1_s = Mat3<double>::Zero();  ///< row: of one velocity component
   Vec3d spin_rad_s = Vec3d::Zero();
+  double celsius = 20.0;  ///< below freezing it starts as one body of ice; only with heat
   bool sheet = false;
 
   Vec3d centre_m() const { return (min_m + max_m) / 2; }
@@ -44,6 +45,9 @@ struct Collider {
   double friction = 0.05;
   double opacity = 0.2;
   std::string follow_frame;
+  WallHeat heat = WallHeat::kInsulated;
+  double celsius = 20.0;   ///< of its surface, where heat is kTemperature
+  double flux_w_m2 = 0.0;  ///< into the water, where heat is kFlux
 
   /// Pose in the scene frame.
   Posed pose() const { return poseOf(position_m, rpy_deg); }
@@ -86,6 +90,9 @@ struct Scene {
   SolverParams solver;
   TemperatureParams temperature;
   SpringParams springs;
+  HeatParams heat;
+  IceParams ice;
+  SteamParams steam;
   LimitParams limits;
   std::vector<TemperatureEvent> schedule;
   std::vector<Block> blocks;

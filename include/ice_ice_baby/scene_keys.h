@@ -24,6 +24,8 @@ void describe(Block& b, Visitor&& visit) {
   visit("velocity_gradient_1_s", b.velocity_gradient_1_s, Range{-1e3, 1e3},
         "added velocity per metre from the centre: rows of vx, vy, vz, columns along x, y, z");
   visit("spin_rad_s", b.spin_rad_s, Range{-1e3, 1e3}, "added rotation about the centre");
+  visit("celsius", b.celsius, kTemperatureRange_c,
+        "temperature at the start, with heat.enabled: below heat.freezing_c a body of ice");
   visit("sheet", b.sheet,
         "one layer of particles joined by springs that bend, neither stretch nor melt");
 }
@@ -38,6 +40,11 @@ void describeCollider(Collider& c, Visitor&& visit) {
   visit("friction", c.friction, Range{0.0, 10.0}, "Coulomb coefficient; 0: slippery");
   visit("opacity", c.opacity, Range{0.0, 1.0}, "in pictures; 0: invisible");
   visit("follow_frame", c.follow_frame, "tf frame that the collider moves with; \"\": it stays");
+  visit("heat", c.heat,
+        "what its surface does to the water, with heat.enabled: nothing, it has a temperature, or "
+        "it passes a flux");
+  visit("celsius", c.celsius, kTemperatureRange_c, "temperature of the surface, for temperature");
+  visit("flux_w_m2", c.flux_w_m2, Range{-1e7, 1e7}, "into the water, for flux; below 0 it cools");
 }
 
 template <class Visitor>
@@ -73,8 +80,12 @@ void describe(Scene& s, Visitor&& visit) {
   visit("gravity_m_s2", s.gravity_m_s2, kGravityRange_m_s2, "gravity");
   visit.section("fluid", s.fluid, "the particles and how their density is measured");
   visit.section("solver", s.solver, "error against run time");
-  visit.section("temperature", s.temperature, "one temperature for the whole scene");
+  visit.section("temperature", s.temperature,
+                "one temperature for the whole scene; with heat.enabled that of the air");
   visit.section("springs", s.springs, "what freezing does; a liquid scene has no springs");
+  visit.section("heat", s.heat, "temperature of every particle, freezing fronts, boiling");
+  visit.section("ice", s.ice, "what frozen water does, with heat.enabled");
+  visit.section("steam", s.steam, "what boiled water does, with heat.enabled");
   visit.section("limits", s.limits, "guards");
   visit.list("schedule", s.schedule, "temperature over time");
   visit.list("blocks", s.blocks, "the water");

@@ -12,6 +12,9 @@ namespace ice_ice_baby {
 
 enum class Precision { kFloat, kDouble };
 
+/// So many torches and sprays may be at work at once.
+constexpr std::size_t kMaxHeatRegions = 100;
+
 /// What one stage of the step has cost since the start.
 struct StageStats {
   std::string name;
@@ -27,8 +30,8 @@ struct StepReport {
   double time_s = 0.0;
   std::size_t particles = 0;
   std::size_t springs = 0;
-  double temperature_c = 0.0;
-  double strictness = 0.0;          ///< 0 liquid ... 1 frozen
+  double temperature_c = 0.0;       ///< of the whole scene; with heat that of the air
+  double strictness = 0.0;          ///< 0 liquid ... 1 frozen; with heat the share of ice by mass
   bool asleep = false;              ///< frozen and at rest: frames cost nothing
   double density_error_mean = 0.0;  ///< mean of max(rho / rho_0 - 1, 0), the solver's own kernel
   double density_error_max = 0.0;
@@ -39,7 +42,14 @@ struct StepReport {
   std::uint64_t speed_limited = 0;  ///< particles that the speed limit slowed in this frame
   std::uint64_t non_finite = 0;  ///< since the start: values repaired because they were not finite
   int substeps = 0;              ///< that the frame took; 0 asleep
-  double frame_wall_s = 0.0;     ///< time that the frame took to compute
+  double mean_celsius = 0.0;     ///< over the particles; from here on 0 without heat
+  double enthalpy_j = 0.0;       ///< of all particles, 0 for ice at the freezing point
+  double heat_speedup = 0.0;     ///< seconds of heat that really passed in a simulated second
+  std::size_t bodies = 0;        ///< of rigid ice
+  std::size_t bodies_asleep = 0;
+  std::size_t ice_particles = 0;    ///< that belong to a body, or are joined by springs
+  std::size_t steam_particles = 0;  ///< that have left the density solve
+  double frame_wall_s = 0.0;        ///< time that the frame took to compute
 };
 
 /// One particle as the outside sees it.
@@ -59,6 +69,15 @@ struct SpringSample {
   float bx, by, bz;
 };
 
+/// A torch or a freezing spray: power spread evenly, by mass, over the particles in a region.
+struct HeatRegion {
+  BlockShape shape = BlockShape::kBall;  ///< kBox, or kBall: the ellipsoid that just fits in it
+  Vec3d centre_m = Vec3d::Zero();
+  Vec3d size_m = Vec3d::Ones();  ///< of the box
+  double power_w = 0.0;          ///< below 0 it cools; no particle leaves kTemperatureRange_c
+  double duration_s = 0.0;       ///< simulated; heat.speedup multiplies the energy as all heat
+};
+
 /// A run of Algorithm 1 over one scene. Not thread safe: one thread steps and asks.
 class Simulation {
  public:
@@ -70,9 +89,16 @@ class Simulation {
   virtual const StepReport& report() const = 0;
   virtual const Scene& scene() const = 0;
 
-  /// Goes to `celsius` over `ramp_s` seconds from now on and cancels the scene's own schedule.
-  /// @throws InvalidInput outside [-273.15, 1000] degrees C or [0, 1e6] s
-  virtual void setTemperature(double celsius, double ramp_s) = 0;
+  /// Goes to `celsius` over `ramp_s` seconds from now on.
+  /// @param target "": the whole scene, with heat its air, and the scene's own schedule is
+  /// cancelled; with heat also the name of a collider, whose surface has a temperature from then on
+  /// @throws InvalidInput outside [-273.15, 1000] degrees C or [0, 1e6] s, for an unknown collider,
+  /// and for any collider without heat
+  virtual void setTemperature(double celsius, double ramp_s, const std::string& target = "") = 0;
+
+  /// Heats or cools a region from now on. @throws InvalidInput without heat, outside the ranges of
+  /// requireHeatRegion, and when kMaxHeatRegions are at work already
+  virtual void heatRegion(const HeatRegion& region) = 0;
 
   /// @throws InvalidInput outside [-1e4, 1e4] m/s^2
   virtual void setGravity(const Vec3d& gravity_m_s2) = 0;
@@ -117,6 +143,9 @@ std::unique_ptr<Simulation> makeSimulation(const Scene& scene,
 
 /// The checks that setTemperature, setGravity and moveCollider make, for callers that queue them.
 void requireTemperature(double celsius, double ramp_s);
+void requireTarget(const Scene& scene, const std::string& target);
+/// Sizes 0 ... 200 m, power up to 1e9 W either way, duration 0 ... 1e6 s.
+void requireHeatRegion(const Scene& scene, const HeatRegion& region);
 void requireGravity(const Vec3d& gravity_m_s2);
 
 }  // namespace ice_ice_baby

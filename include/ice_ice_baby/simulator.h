@@ -30,7 +30,8 @@ class Simulator final : public Simulation {
   const StepReport& advanceFrame() override;
   const StepReport& report() const override { return report_; }
   const Scene& scene() const override { return scene_; }
-  void setTemperature(double celsius, double ramp_s) override;
+  void setTemperature(double celsius, double ramp_s, const std::string& target) override;
+  void heatRegion(const HeatRegion& region) override;
   void setGravity(const Vec3d& gravity_m_s2) override;
   void moveCollider(const std::string& name, const Posed& pose) override;
   Posed colliderPose(const std::string& name) const override { return colliders_.pose(name); }

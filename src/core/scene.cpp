@@ -175,6 +175,10 @@ void validate(const Scene& scene) {
         "temperature.freezing_c = " + numberText(scene.temperature.freezing_c) +
         " must be below temperature.onset_c = " + numberText(scene.temperature.onset_c));
   }
+  if (!(scene.heat.freezing_c < scene.heat.boiling_c)) {
+    throw InvalidInput("heat.freezing_c = " + numberText(scene.heat.freezing_c) +
+                       " must be below heat.boiling_c = " + numberText(scene.heat.boiling_c));
+  }
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const Block& block = scene.blocks[k];
     const std::string name = "blocks." + std::to_string(k);

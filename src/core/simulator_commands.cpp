@@ -1,4 +1,6 @@
 // What users change between frames: each is checked whole before anything changes.
+#include <algorithm>
+
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/simulator.h"
 
@@ -8,13 +10,25 @@ namespace {
 
 bool still(const Vec3d& a, const Vec3d& b) { return (a - b).squaredNorm() == 0.0; }
 
+void requireHeat(const Scene& scene, const std::string& what) {
+  if (scene.heat.enabled) return;
+  throw InvalidInput(what + " needs heat.enabled: scene " + scene.name +
+                     " has one temperature for all of it");
+}
+
 }  // namespace
 
 template <class Real>
-void Simulator<Real>::setTemperature(double celsius, double ramp_s) {
+void Simulator<Real>::setTemperature(double celsius, double ramp_s, const std::string& target) {
   requireTemperature(celsius, ramp_s);
+  requireTarget(scene_, target);
   temperature_.set(celsius, ramp_s);
   updateTemperature(report_.time_s);
+}
+
+template <class Real>
+void Simulator<Real>::heatRegion(const HeatRegion& region) {
+  requireHeatRegion(scene_, region);
 }
 
 template <class Real>
@@ -48,6 +62,34 @@ void requireTemperature(double celsius, double ramp_s) {
   requireInRange("temperature in degrees Celsius", celsius, kTemperatureRange_c.min,
                  kTemperatureRange_c.max);
   requireInRange("ramp in seconds", ramp_s, 0.0, 1e6);
+}
+
+void requireTarget(const Scene& scene, const std::string& target) {
+  if (target.empty()) return;
+  std::vector<std::string> names;
+  for (const auto& c : scene.containers) names.push_back(c.name);
+  for (const auto& c : scene.planes) names.push_back(c.name);
+  for (const auto& c : scene.spheres) names.push_back(c.name);
+  if (std::find(names.begin(), names.end(), target) == names.end()) {
+    throw InvalidInput("no collider \"" + shortened(target) +
+                       "\"; \"\" is the air, the scene has: " + joined(names));
+  }
+  requireHeat(scene, "a temperature of collider " + target);
+}
+
+void requireHeatRegion(const Scene& scene, const HeatRegion& region) {
+  requireHeat(scene, "heating a region");
+  if (region.shape == BlockShape::kCylinder) {
+    throw InvalidInput("a heated region is a box or a ball, not a cylinder");
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string name = std::string(" ") + "xyz"[axis] + " of the region in m";
+    requireInRange("centre" + name, region.centre_m[axis], kCoordinateRange_m.min,
+                   kCoordinateRange_m.max);
+    requireInRange("size" + name, region.size_m[axis], 0.0, 2 * kMaxCoordinate_m);
+  }
+  requireInRange("power in watts", region.power_w, -1e9, 1e9);
+  requireInRange("duration in seconds", region.duration_s, 0.0, 1e6);
 }
 
 void requireGravity(const Vec3d& gravity_m_s2) {
