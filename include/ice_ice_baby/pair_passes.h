@@ -40,7 +40,13 @@ struct PairInput {
   const Real* positions;  ///< (n, 4) packed, m
   const Real* values;     ///< (n, 4) packed, of what the pass spreads
   Real support;           ///< h, m
+  /// (n) volume over that of water; null where all particles are water.
+  const Real* shares = nullptr;
 };
+
+/// In the fourth column of the values of a mixture: two of these take no part in each other's
+/// velocity, as the ice that they belong to moves as one.
+constexpr float kRigidGrip = 1e30f;
 
 /// Sums of Eq. 2 and 4 over the neighbours of each particle, without the scales of the kernels:
 /// w = W(r) / W(0) and s = (W'(r) / r) / (W'(h/2) / (h/2)).
@@ -64,5 +70,14 @@ struct PairPasses {
 
 template <class Real>
 PairPasses<Real> pairPasses(KernelPair kernel);
+
+/// The same where particles differ in volume, as water, ice and steam do:
+/// - sumConstraint counts neighbour j share_j times, the share in the fourth column of the
+///   positions;
+/// - sumCorrections sums (lambda_i share_j + lambda_j share_i) s (x_i - x_j), the gradient of that;
+/// - addDifferences weighs a pair with the lesser of both fourth columns of the values, unless both
+///   are kRigidGrip.
+template <class Real>
+PairPasses<Real> mixturePairPasses(KernelPair kernel);
 
 }  // namespace ice_ice_baby

@@ -79,6 +79,23 @@ HWY_INLINE Columns<D> loadRows(D d, const double* rows, const Index* j) {
 
 #endif
 
+/// values[j[0]], values[j[1]], ...
+template <class D>
+HWY_INLINE hn::Vec<D> loadEach(D d, const float* values, const Index* j) {
+  const hn::RebindToSigned<D> places;
+  const hn::RebindToUnsigned<D> indices;
+  return hn::GatherIndex(d, values, hn::BitCast(places, hn::LoadU(indices, j)));
+}
+
+template <class D>
+HWY_INLINE hn::Vec<D> loadEach(D d, const double* values, const Index* j) {
+  const hn::RebindToSigned<D> places;
+  const hn::RebindToUnsigned<D> wide;
+  const hn::Rebind<Index, D> indices;
+  return hn::GatherIndex(d, values,
+                         hn::BitCast(places, hn::PromoteTo(wide, hn::LoadU(indices, j))));
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace ice_ice_baby
 HWY_AFTER_NAMESPACE();

@@ -118,7 +118,45 @@ struct Poly6SpikyShape {
   }
 };
 
-template <class Shape, class Real>
+/// All particles are water: nothing to weigh.
+struct Water {
+  template <class Vec>
+  static HWY_INLINE Vec share(Vec weight, Vec) {
+    return weight;
+  }
+  template <class D, class Real>
+  static HWY_INLINE hn::Vec<D> multiplier(D, hn::Vec<D> own, hn::Vec<D> other,
+                                          const PairInput<Real>&, std::size_t, const Index*) {
+    return hn::Add(own, other);
+  }
+  template <class D>
+  static HWY_INLINE hn::Vec<D> grip(D, hn::Vec<D> weight, hn::Vec<D>, hn::Vec<D>) {
+    return weight;
+  }
+};
+
+/// Water, ice and steam: see mixturePairPasses.
+struct Mixed {
+  template <class Vec>
+  static HWY_INLINE Vec share(Vec weight, Vec share) {
+    return hn::Mul(weight, share);
+  }
+  template <class D, class Real>
+  static HWY_INLINE hn::Vec<D> multiplier(D d, hn::Vec<D> own, hn::Vec<D> other,
+                                          const PairInput<Real>& in, std::size_t i,
+                                          const Index* j) {
+    const auto own_share = hn::Set(d, in.shares[i]);
+    return hn::MulAdd(own, loadEach(d, in.shares, j), hn::Mul(other, own_share));
+  }
+  template <class D>
+  static HWY_INLINE hn::Vec<D> grip(D d, hn::Vec<D> weight, hn::Vec<D> own, hn::Vec<D> other) {
+    const auto lesser = hn::Min(own, other);
+    const auto moves = hn::Lt(lesser, hn::Set(d, hn::TFromD<D>(kRigidGrip)));
+    return hn::IfThenElseZero(moves, hn::Mul(weight, lesser));
+  }
+};
+
+template <class Shape, class Kind, class Real>
 void sumConstraint(const PairInput<Real>& in, ConstraintSums<Real> out, ParticleRange range) {
   const Lanes<Real> d;
   const Real inverse_h2 = 1 / (in.support * in.support);
@@ -128,8 +166,9 @@ void sumConstraint(const PairInput<Real>& in, ConstraintSums<Real> out, Particle
     forEachVector(d, in.neighbours.of(i), [&](const Index* j, auto kept) HWY_ATTR {
       const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j, kept);
       const auto q = hn::Sqrt(pairs.square);
-      const auto weight = Shape::weight(d, q, pairs.square);
-      const auto slope = hn::IfThenElseZero(pairs.within, Shape::slope(d, q));
+      const auto weight = Kind::share(Shape::weight(d, q, pairs.square), pairs.fourth);
+      const auto slope =
+          hn::IfThenElseZero(pairs.within, Kind::share(Shape::slope(d, q), pairs.fourth));
       density = hn::Add(density, hn::IfThenElseZero(pairs.within, weight));
       squares = hn::MulAdd(hn::Mul(slope, slope), pairs.square, squares);
       x = hn::MulAdd(slope, pairs.x, x);
@@ -144,7 +183,7 @@ void sumConstraint(const PairInput<Real>& in, ConstraintSums<Real> out, Particle
   }
 }
 
-template <class Shape, class Real>
+template <class Shape, class Kind, class Real>
 void sumCorrections(const PairInput<Real>& in, VectorField<Real>& out, ParticleRange range) {
   const Lanes<Real> d;
   const Real inverse_h2 = 1 / (in.support * in.support);
@@ -154,7 +193,7 @@ void sumCorrections(const PairInput<Real>& in, VectorField<Real>& out, ParticleR
     forEachVector(d, in.neighbours.of(i), [&](const Index* j, auto kept) HWY_ATTR {
       const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j, kept);
       const auto slope = Shape::slope(d, hn::Sqrt(pairs.square));
-      const auto both = hn::Add(own.w, pairs.fourth);
+      const auto both = Kind::multiplier(d, own.w, pairs.fourth, in, i, j);
       const auto push = hn::IfThenElseZero(pairs.within, hn::Mul(both, slope));
       x = hn::MulAdd(push, pairs.x, x);
       y = hn::MulAdd(push, pairs.y, y);
@@ -166,7 +205,7 @@ void sumCorrections(const PairInput<Real>& in, VectorField<Real>& out, ParticleR
   }
 }
 
-template <class Real>
+template <class Kind, class Real>
 void addDifferences(const PairInput<Real>& in, Real factor, VectorField<Real>& out,
                     ParticleRange range) {
   const Lanes<Real> d;
@@ -178,8 +217,9 @@ void addDifferences(const PairInput<Real>& in, Real factor, VectorField<Real>& o
     forEachVector(d, in.neighbours.of(i), [&](const Index* j, auto kept) HWY_ATTR {
       const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j, kept);
       const auto value = loadRows(d, in.values, j);
+      const auto kernel = cubicWeight(d, hn::Sqrt(pairs.square), pairs.square);
       const auto weight =
-          hn::IfThenElseZero(pairs.near, cubicWeight(d, hn::Sqrt(pairs.square), pairs.square));
+          hn::IfThenElseZero(pairs.near, Kind::grip(d, kernel, own_value.w, value.w));
       x = hn::MulAdd(weight, hn::Sub(value.x, own_value.x), x);
       y = hn::MulAdd(weight, hn::Sub(value.y, own_value.y), y);
       z = hn::MulAdd(weight, hn::Sub(value.z, own_value.z), z);
@@ -190,19 +230,22 @@ void addDifferences(const PairInput<Real>& in, Real factor, VectorField<Real>& o
   }
 }
 
-template <class Shape, class Real>
+template <class Shape, class Kind, class Real>
 PairPasses<Real> passesOf() {
-  return {&sumConstraint<Shape, Real>, &sumCorrections<Shape, Real>, &addDifferences<Real>};
+  return {&sumConstraint<Shape, Kind, Real>, &sumCorrections<Shape, Kind, Real>,
+          &addDifferences<Kind, Real>};
 }
 
-template <class Real>
+template <class Kind, class Real>
 PairPasses<Real> passesFor(KernelPair kernel) {
-  if (kernel == KernelPair::kCubic) return passesOf<CubicShape, Real>();
-  return passesOf<Poly6SpikyShape, Real>();
+  if (kernel == KernelPair::kCubic) return passesOf<CubicShape, Kind, Real>();
+  return passesOf<Poly6SpikyShape, Kind, Real>();
 }
 
-PairPasses<float> floatPasses(KernelPair kernel) { return passesFor<float>(kernel); }
-PairPasses<double> doublePasses(KernelPair kernel) { return passesFor<double>(kernel); }
+PairPasses<float> floatPasses(KernelPair kernel) { return passesFor<Water, float>(kernel); }
+PairPasses<double> doublePasses(KernelPair kernel) { return passesFor<Water, double>(kernel); }
+PairPasses<float> mixedFloatPasses(KernelPair kernel) { return passesFor<Mixed, float>(kernel); }
+PairPasses<double> mixedDoublePasses(KernelPair kernel) { return passesFor<Mixed, double>(kernel); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace ice_ice_baby
@@ -214,6 +257,8 @@ namespace ice_ice_baby {
 
 HWY_EXPORT(floatPasses);
 HWY_EXPORT(doublePasses);
+HWY_EXPORT(mixedFloatPasses);
+HWY_EXPORT(mixedDoublePasses);
 
 template <>
 PairPasses<float> pairPasses(KernelPair kernel) {
@@ -222,6 +267,14 @@ PairPasses<float> pairPasses(KernelPair kernel) {
 template <>
 PairPasses<double> pairPasses(KernelPair kernel) {
   return HWY_DYNAMIC_DISPATCH(doublePasses)(kernel);
+}
+template <>
+PairPasses<float> mixturePairPasses(KernelPair kernel) {
+  return HWY_DYNAMIC_DISPATCH(mixedFloatPasses)(kernel);
+}
+template <>
+PairPasses<double> mixturePairPasses(KernelPair kernel) {
+  return HWY_DYNAMIC_DISPATCH(mixedDoublePasses)(kernel);
 }
 
 }  // namespace ice_ice_baby

@@ -26,10 +26,14 @@ struct Sums {
   VectorField<Real> gradients, corrections, differences;
 };
 
+/// Of particle i in a mixture: its share of volume, none for some, and its grip.
+double shareOf(std::size_t i) { return i % 5 == 0 ? 0.0 : 1.0 + 0.01 * double(i % 7); }
+double gripOf(std::size_t i) { return i % 3 == 0 ? double(kRigidGrip) : 0.5 * double(i % 4); }
+
 /// Every sum as its definition has it, over all pairs. The y coordinate stands for lambda and the
 /// positions for velocities.
 template <class Kernels, class Real>
-Sums<double> plainSums(const VectorField<Real>& field) {
+Sums<double> plainSums(const VectorField<Real>& field, bool mixture) {
   const Kernels kernels(kSupport_m);
   const CubicSpline<double> cubic(kSupport_m);
   const double half = kSupport_m / 2;
@@ -42,28 +46,41 @@ Sums<double> plainSums(const VectorField<Real>& field) {
       const double r = (xi - xj).norm();
       if (r == 0) continue;
       const double s = kernels.gradient.slope(r) / r / scale;
-      sums.density[i] += kernels.density.w(r) / kernels.density.w(0);
-      sums.squares[i] += s * s * r * r / (kSupport_m * kSupport_m);
-      sums.gradients.add(i, s * (xi - xj));
-      sums.corrections.add(i, (xi.y() + xj.y()) * s * (xi - xj));
-      sums.differences.add(i, cubic.w(r) / cubic.w(0) * (xj - xi));
+      const double own = mixture ? shareOf(i) : 1, other = mixture ? shareOf(j) : 1;
+      const double lesser = std::min(gripOf(i), gripOf(j));
+      const double grip = mixture ? (lesser == double(kRigidGrip) ? 0 : lesser) : 1;
+      sums.density[i] += other * kernels.density.w(r) / kernels.density.w(0);
+      sums.squares[i] += other * other * s * s * r * r / (kSupport_m * kSupport_m);
+      sums.gradients.add(i, other * s * (xi - xj));
+      sums.corrections.add(i, (xi.y() * other + xj.y() * own) * s * (xi - xj));
+      sums.differences.add(i, grip * cubic.w(r) / cubic.w(0) * (xj - xi));
     }
   }
   return sums;
 }
 
 template <class Real>
-Sums<Real> vectorSums(const Cloud<Real>& cloud, KernelPair kernel) {
+Sums<Real> vectorSums(const Cloud<Real>& cloud, KernelPair kernel, bool mixture) {
   const VectorField<Real>& x = cloud.particles.predicted;
-  PackedRows<Real> rows;
-  rows.pack(x, x.y);
-  const PairInput<Real> pairs{cloud.neighbours, rows.data(), rows.data(), Real(kSupport_m)};
-  const PairPasses<Real> passes = pairPasses<Real>(kernel);
+  std::vector<Real> shares(x.size()), grips(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    shares[i] = static_cast<Real>(shareOf(i));
+    grips[i] = static_cast<Real>(gripOf(i));
+  }
+  PackedRows<Real> by_share, by_lambda, by_grip;
+  by_share.pack(x, shares);
+  by_lambda.pack(x, x.y);
+  by_grip.pack(x, grips);
+  PairInput<Real> pairs{cloud.neighbours, by_share.data(), by_grip.data(), Real(kSupport_m),
+                        shares.data()};
+  const PairPasses<Real> passes =
+      mixture ? mixturePairPasses<Real>(kernel) : pairPasses<Real>(kernel);
   Sums<Real> sums(x.size());
   const ParticleRange all{0, x.size()};
   passes.sumConstraint(pairs, {sums.density, sums.squares, sums.gradients}, all);
-  passes.sumCorrections(pairs, sums.corrections, all);
   passes.addDifferences(pairs, Real(1), sums.differences, all);
+  pairs.positions = by_lambda.data();
+  passes.sumCorrections(pairs, sums.corrections, all);
   return sums;
 }
 
@@ -84,13 +101,14 @@ void expectNear(const VectorField<Real>& values, const VectorField<double>& trut
 }
 
 template <class Real>
-void expectPlainSums(KernelPair kernel) {
+void expectPlainSums(KernelPair kernel, bool mixture) {
   const auto points = test::randomPoints(333, Vec3d::Zero(), Vec3d::Constant(0.3), 31);
   const Cloud<Real> cloud(points, kSupport_m, 0.02);
   const VectorField<Real>& x = cloud.particles.predicted;
-  const Sums<double> truth = kernel == KernelPair::kCubic ? plainSums<CubicPair<double>>(x)
-                                                          : plainSums<Poly6SpikyPair<double>>(x);
-  const Sums<Real> sums = vectorSums(cloud, kernel);
+  const Sums<double> truth = kernel == KernelPair::kCubic
+                                 ? plainSums<CubicPair<double>>(x, mixture)
+                                 : plainSums<Poly6SpikyPair<double>>(x, mixture);
+  const Sums<Real> sums = vectorSums(cloud, kernel, mixture);
   expectNear(sums.density, truth.density);
   expectNear(sums.squares, truth.squares);
   expectNear(sums.gradients, truth.gradients);
@@ -116,8 +134,10 @@ TEST(InstructionSets, EachGivesThePlainSums) {
     SCOPED_TRACE(hwy::TargetName(target));
     const OnTarget on(target);
     for (const KernelPair kernel : {KernelPair::kCubic, KernelPair::kPoly6Spiky}) {
-      expectPlainSums<float>(kernel);
-      expectPlainSums<double>(kernel);
+      for (const bool mixture : {false, true}) {
+        expectPlainSums<float>(kernel, mixture);
+        expectPlainSums<double>(kernel, mixture);
+      }
     }
   }
 }
