@@ -1,0 +1,8 @@
+#include <gtest/gtest.h>
+
+#include "heat_fixture.h"
+#include "ice_ice_baby/heat.h"
+
+namespace ice_ice_baby {
+namespace {}  // namespace
+}  // namespace ice_ice_baby
