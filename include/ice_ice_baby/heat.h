@@ -103,8 +103,8 @@ class Heat {
   std::vector<WallContact<Real>> contact_;  ///< (n)
   std::vector<Real> power_w_;               ///< (n) from regions and walls with a flux
   std::vector<Real> bare_m2_;               ///< (n) area open to the air
-  std::vector<Real> relaxation_;            ///< (n) relaxation_kg_s
-  VectorField<Real> open_m2_;               ///< (n) what walls cover; empty without cover_
+  std::vector<Real> relaxation_;  ///< (n) relaxation_kg_s; before that length of all links, m
+  VectorField<Real> open_m2_;     ///< (n) area bare of others and of walls, pointing inwards
 };
 
 }  // namespace ice_ice_baby

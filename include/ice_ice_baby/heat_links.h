@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ice_ice_baby/heat_mirrors.h"
+#include "ice_ice_baby/heat_pass.h"
 #include "ice_ice_baby/neighbours.h"
 
 namespace ice_ice_baby {
@@ -25,34 +26,38 @@ class HeatLinks {
             const HeatLattice& lattice);
 
   /// Makes room for the links of all lists, to be measured next.
-  void begin(const VectorField<Real>& x, const Neighbours<Real>& neighbours);
+  void begin(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
+             const HeatStep<Real>& step);
 
-  struct Sum {
-    Real length_m = 0;                        ///< of all links of a particle
-    Vec3<Real> open_m2 = Vec3<Real>::Zero();  ///< area that links leave bare, pointing inwards
-  };
-  /// Measures the links of one particle, each as HeatLattice::length_m has it.
-  Sum measure(std::size_t i, const VectorField<Real>& x, const Neighbours<Real>& neighbours,
-              const HeatStep<Real>& step);
+  /// Measures the links of some particles.
+  /// @param total_m (n) sum of the lengths of a particle
+  /// @param open_m2 (n) area that links leave bare, pointing inwards
+  void measure(const VectorField<Real>& x, const Neighbours<Real>& neighbours, ParticleRange range,
+               std::vector<Real>& total_m, VectorField<Real>& open_m2);
 
-  /// Length in m of each link of a particle, in the order of its list. A pair has one length.
-  const Real* of(std::size_t i) const { return lengths_.data() + start_[i]; }
+  /// Each link of a particle in the order of its list: of two particles the same from both sides,
+  /// its length over scale_m().
+  const Real* of(std::size_t i) const { return links_.data() + start_[i]; }
+  Real scale_m() const { return scale_; }
 
   std::size_t bytes() const {
-    return start_.capacity() * sizeof(std::size_t) + lengths_.capacity() * sizeof(Real) +
+    return start_.capacity() * sizeof(std::size_t) +
+           (links_.capacity() + presence_.capacity()) * sizeof(Real) + rows_.bytes() +
            mirrors_.bytes();
   }
 
  private:
-  /// L(r) of two particles, 0 beyond the support radius.
-  Real length(Real distance2) const;
+  Real addImages(std::size_t i, const VectorField<Real>& x, const Neighbours<Real>& neighbours);
 
+  LinkPass<Real> pass_ = linkPass<Real>();
   HeatMirrors<Real> mirrors_;
   bool has_mirrors_;
-  Real support_;
-  Real scale_;                      ///< of length
+  CubicSpline<Real> kernel_;
+  Real scale_;                      ///< HeatLattice::length_m(h / 2)
   std::vector<std::size_t> start_;  ///< (n) first link
-  std::vector<Real> lengths_;       ///< of all lists
+  std::vector<Real> links_;         ///< of all lists
+  std::vector<Real> presence_;      ///< (n) relative volume; 0 of steam
+  PackedRows<Real> rows_;           ///< (n, 4) x_i and presence
 };
 
 }  // namespace ice_ice_baby

@@ -89,15 +89,14 @@ void Heat<Real>::measure(const Particles<Real>& particles, const Neighbours<Real
                          const HeatStep<Real>& step) {
   const VectorField<Real>& x = particles.position;
   resize(x.size());
-  links_.begin(x, neighbours);
+  links_.begin(x, neighbours, step);
   parallelForRanges(x.size(), [&](std::size_t first, std::size_t last) {
+    links_.measure(x, neighbours, {first, last}, relaxation_, open_m2_);
     meetWalls(x, first, last, step);
     for (std::size_t i = first; i < last; ++i) {
-      const auto links = links_.measure(i, x, neighbours, step);
-      const Vec3<Real> open = cover_ ? Vec3<Real>(links.open_m2 + open_m2_.at(i)) : links.open_m2;
       const bool steam = step.steam && (*step.steam)[i];
-      bare_m2_[i] = steam ? Real(0) : bareArea_m2(open);
-      relaxation_[i] = steam ? Real(0) : relaxation_kg_s(i, links.length_m);
+      bare_m2_[i] = steam ? Real(0) : bareArea_m2(open_m2_.at(i));
+      relaxation_[i] = steam ? Real(0) : relaxation_kg_s(i, relaxation_[i]);
     }
   });
 }
@@ -109,9 +108,8 @@ void Heat<Real>::meetWalls(const VectorField<Real>& x, std::size_t first, std::s
             WallContact<Real>{});
   if (cover_) {
     const auto area = static_cast<Real>(2 / lattice_.moment_1_m3);
-    for (std::size_t i = first; i < last; ++i) open_m2_.set(i, Vec3<Real>::Zero());
     cover_->forEachNear(x, first, last, [&](std::size_t i, const WallSample<Real>& wall) {
-      open_m2_.set(i, area * wall.gradient);
+      open_m2_.add(i, area * wall.gradient);
     });
   }
   if (!walls_.active()) return;
@@ -165,10 +163,10 @@ void Heat<Real>::readCurve(std::size_t i) {
 template <class Real>
 void Heat<Real>::sumRate(std::size_t i, const Neighbours<Real>& neighbours) {
   const Real own = potential_[i];
-  const Real* length = links_.of(i);
+  const Real* link = links_.of(i);
   double sum = 0.0;
-  for (const Index j : neighbours.of(i)) sum += double(*length++ * (potential_[j] - own));
-  rate_[i] = sum;
+  for (const Index j : neighbours.of(i)) sum += double(*link++ * (potential_[j] - own));
+  rate_[i] = double(links_.scale_m()) * sum;
 }
 
 template <class Real>
@@ -211,7 +209,7 @@ void Heat<Real>::resize(std::size_t n) {
   contact_.resize(n);
   bare_m2_.resize(n);
   relaxation_.resize(n);
-  if (cover_) open_m2_.resize(n);
+  open_m2_.resize(n);
 }
 
 template <class Real>

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ice_ice_baby/parallel.h"
+
 namespace ice_ice_baby {
 
 template <class Real>
@@ -9,58 +11,65 @@ HeatLinks<Real>::HeatLinks(const Colliders<Real>& colliders, const HeatWalls<Rea
                            const HeatLattice& lattice)
     : mirrors_(colliders, walls, lattice),
       has_mirrors_(!colliders.containers.empty() || !colliders.planes.empty()),
-      support_(static_cast<Real>(lattice.support_m)),
-      scale_(static_cast<Real>(lattice.length_m(lattice.support_m / 2) / 3)) {}
+      kernel_(static_cast<Real>(lattice.support_m)),
+      scale_(static_cast<Real>(lattice.length_m(lattice.support_m / 2))) {}
 
 template <class Real>
-Real HeatLinks<Real>::length(Real distance2) const {
-  if (!(distance2 < support_ * support_)) return 0;
-  const Real q = std::sqrt(distance2) / support_;
-  if (q <= Real(0.5)) return scale_ * (12 - 18 * q);
-  return scale_ * 6 * (1 - q) * (1 - q) / q;
-}
-
-template <class Real>
-void HeatLinks<Real>::begin(const VectorField<Real>& x, const Neighbours<Real>& neighbours) {
+void HeatLinks<Real>::begin(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
+                            const HeatStep<Real>& step) {
   if (has_mirrors_) mirrors_.locate(x);
+  presence_.resize(x.size());
+  parallelFor(x.size(), [&](std::size_t i) {
+    const bool steam = step.steam && (*step.steam)[i];
+    presence_[i] = steam ? Real(0) : step.volume ? (*step.volume)[i] : Real(1);
+  });
+  rows_.pack(x, presence_);
   start_.resize(x.size());
   std::size_t links = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     start_[i] = links;
     links += neighbours.of(i).size();
   }
-  if (links > lengths_.capacity()) lengths_.reserve(links + links / 4);
-  lengths_.resize(links);
+  if (links > links_.capacity()) links_.reserve(links + links / 4);
+  links_.resize(links);
 }
 
 template <class Real>
-typename HeatLinks<Real>::Sum HeatLinks<Real>::measure(std::size_t i, const VectorField<Real>& x,
-                                                       const Neighbours<Real>& neighbours,
-                                                       const HeatStep<Real>& step) {
-  using Faces = typename HeatMirrors<Real>::Faces;
-  const std::uint8_t* steam = step.steam ? step.steam->data() : nullptr;
-  const Real* volume = step.volume ? step.volume->data() : nullptr;
+void HeatLinks<Real>::measure(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
+                              ParticleRange range, std::vector<Real>& total_m,
+                              VectorField<Real>& open_m2) {
+  const PairInput<Real> pairs{neighbours, rows_.data(), nullptr, kernel_.h};
+  pass_(pairs, {start_, links_, total_m, open_m2}, range);
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    if (has_mirrors_ && presence_[i] > 0) total_m[i] += addImages(i, x, neighbours);
+    total_m[i] *= scale_;
+    open_m2.set(i, scale_ * open_m2.at(i));
+  }
+}
+
+/// Adds to the links of a particle those to the images of its neighbours; returns their sum.
+template <class Real>
+Real HeatLinks<Real>::addImages(std::size_t i, const VectorField<Real>& x,
+                                const Neighbours<Real>& neighbours) {
   const Vec3<Real> here = x.at(i);
-  const Faces faces = has_mirrors_ ? mirrors_.near(i, here) : Faces{};
-  const bool alone = steam && steam[i];
-  Real* out = lengths_.data() + start_[i];
-  Sum sum;
+  const auto faces = mirrors_.near(i, here);
+  if (faces.count == 0) return 0;
+  const Real unit = kernel_.slope(kernel_.h / 2) / (kernel_.h / 2);
+  Real* link = links_.data() + start_[i];
+  Real sum = 0;
   for (const Index j : neighbours.of(i)) {
     const Vec3<Real> there = x.at(j);
-    const Vec3<Real> arm = there - here;
-    const Real distance2 = arm.squaredNorm();
-    Real link = 0;
-    if (!alone && distance2 > 0 && !(steam && steam[j])) {
-      const Real both = volume ? volume[i] * volume[j] : Real(1);
-      link = both * length(distance2);
-      sum.open_m2 += link * arm;
-      if (faces.count > 0) {
-        mirrors_.forEachImage(faces, i, j, there, distance2,
-                              [&](Real image2) { link += both * length(image2); });
-      }
+    const Real distance2 = (there - here).squaredNorm();
+    Real images = 0;
+    if (distance2 > 0) {
+      mirrors_.forEachImage(faces, i, j, there, distance2, [&](Real image2) {
+        const Real r = std::sqrt(image2);
+        images += kernel_.slope(r) / (r * unit);
+      });
     }
-    sum.length_m += link;
-    *out++ = link;
+    images *= presence_[i] * presence_[j];
+    *link++ += images;
+    sum += images;
   }
   return sum;
 }
