@@ -28,7 +28,10 @@ class Heat {
   static constexpr int kMostPasses = 200;
 
   /// @param spawns ids of each block of the scene, each of which starts at its `celsius`
+  /// @param colliders must outlive it
   Heat(const Scene& scene, const std::vector<Spawn>& spawns, const Colliders<Real>& colliders);
+  Heat(const Heat&) = delete;
+  Heat& operator=(const Heat&) = delete;
 
   /// Moves heat on by a stretch of simulated time, with positions as they are.
   /// @param neighbours lists that hold every pair nearer than the support radius
@@ -72,6 +75,7 @@ class Heat {
                const HeatStep<Real>& step);
   void meetWalls(const VectorField<Real>& x, std::size_t first, std::size_t last,
                  const HeatStep<Real>& step);
+  void scaleBareArea();
   Real bareArea_m2(const Vec3<Real>& open_m2) const;
   double airTransfer_w_m2k(double conductivity_w_mk) const;
   Real relaxation_kg_s(std::size_t i, Real links_m) const;
@@ -93,6 +97,8 @@ class Heat {
   std::optional<WallDensity<Real>> cover_;  ///< walls keep the air away
   double steam_w_k_;                        ///< between a puff of steam and the air
   double touch_w_k_;                        ///< between it and a wall
+  Real noise_m2_ = 0;                       ///< bare area below this counts as none
+  Real bare_scale_ = 1;
   int passes_ = 0;
   double reached_speedup_ = 0.0;
 

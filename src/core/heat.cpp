@@ -14,7 +14,8 @@ namespace {
 /// Share of the longest step that keeps temperatures in range: room for round-off.
 constexpr double kSafety = 0.9;
 
-/// Less bare area than this share of a flat surface's is the noise of disorder.
+/// Less bare area than this share of what the top layer of a flat surface has is the noise of
+/// disorder.
 constexpr double kNoise = 0.25;
 
 /// Radius of a puff of steam over that of the ball of water it came from: 12^3 = 1700 times the
@@ -48,11 +49,25 @@ Heat<Real>::Heat(const Scene& scene, const std::vector<Spawn>& spawns,
   if (params_.air_transfer_w_m2k > 0.0 && !colliders.empty()) {
     cover_.emplace(withCubicKernel(scene), colliders, lattice_.volume_m3);
   }
+  scaleBareArea();
   for (std::size_t k = 0; k < spawns.size(); ++k) {
     enthalpy_.resize(spawns[k].first_id + spawns[k].count,
                      curve_.enthalpy(scene.blocks[k].celsius));
   }
   received_.resize(enthalpy_.size());
+}
+
+/// A flat surface of the rest lattice has its whole area, in spite of the cut.
+template <class Real>
+void Heat<Real>::scaleBareArea() {
+  const double top = lattice_.wallShare(lattice_.spacing_m / 2);
+  double counted = 0.0;  // share of a flat surface's area that its layers have after the cut
+  for (double z = lattice_.spacing_m / 2; z < lattice_.support_m; z += lattice_.spacing_m) {
+    const double share = lattice_.wallShare(z);
+    if (share > kNoise * top) counted += share;
+  }
+  noise_m2_ = static_cast<Real>(kNoise * top * lattice_.area_m2);
+  bare_scale_ = static_cast<Real>(1 / counted);
 }
 
 template <class Real>
@@ -127,7 +142,7 @@ template <class Real>
 Real Heat<Real>::bareArea_m2(const Vec3<Real>& open_m2) const {
   if (params_.air_transfer_w_m2k == 0.0) return 0;
   const Real area = open_m2.norm();
-  return area < static_cast<Real>(kNoise * lattice_.area_m2) ? Real(0) : area;
+  return area < noise_m2_ ? Real(0) : bare_scale_ * area;
 }
 
 /// Conductance to the air per area. Half a spacing of water lies between the centre of a particle
@@ -234,8 +249,8 @@ std::size_t Heat<Real>::bytes() const {
          (power_w_.capacity() + bare_m2_.capacity() + potential_.capacity() +
           relaxation_.capacity()) *
              sizeof(Real) +
-         open_m2_.bytes() + walls_.bytes() + links_.bytes() + regions_.bytes() +
-         (cover_ ? cover_->bytes() : 0);
+         contact_.capacity() * sizeof(WallContact<Real>) + open_m2_.bytes() + walls_.bytes() +
+         links_.bytes() + regions_.bytes() + (cover_ ? cover_->bytes() : 0);
 }
 
 template class Heat<float>;

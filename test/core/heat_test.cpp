@@ -1,8 +1,9 @@
-// Heat between particles, from the air and from regions: what is kept, what is bounded, what is
-// told.
+// Heat between particles: what is kept, what is bounded, what is told.
 #include "ice_ice_baby/heat.h"
 
 #include <gtest/gtest.h>
+
+#include <cstdio>
 
 #include "heat_fixture.h"
 
@@ -78,12 +79,14 @@ TEST(HeatTest, IceAtFreezingUnderWaterAtFreezingStays) {
   }
 }
 
-/// A long wave decays as the continuum has it: exp(-k alpha^2 t), here between mirrors.
-TEST(HeatTest, WaveBetweenMirrorsDecaysAtItsRate) {
+/// Insulated column, cos(pi z / length) in temperature, its layers `stretch` further apart and its
+/// particles that much larger. Largest error in K after 1 / e of the wave is left.
+double waveError_c(double stretch) {
+  const double length = 0.24 * stretch;
   Scene scene = test::coldColumn(3, 24, 0.01, 20.0);
   scene.planes.clear();
   scene.containers[0].position_m.z() = 0.0;
-  scene.containers[0].size_m.z() = 0.24;
+  scene.containers[0].size_m = {0.03 * stretch, 0.03 * stretch, length};
   const Block whole = scene.blocks[0];
   scene.blocks.clear();
   for (int layer = 0; layer < 24; ++layer) {
@@ -93,16 +96,29 @@ TEST(HeatTest, WaveBetweenMirrorsDecaysAtItsRate) {
     slice.celsius = 20 + 10 * std::cos(M_PI * (layer + 0.5) / 24);
     scene.blocks.push_back(slice);
   }
-  const double rate = std::pow(M_PI / 0.24, 2) * 0.58 / (1000 * 4186);
-  scene.heat.speedup = 1200.0;
+  const double density = 1000 / std::pow(stretch, 3);
+  const double end_s = std::pow(length / M_PI, 2) * density * 4186 / 0.58;
+  scene.heat.speedup = end_s / 60;
   StillHeat<double> still(scene);
-  still.run(1 / rate);
-  for (std::size_t i = 0; i < still.particles.size(); ++i) {
-    const double z = still.particles.position.z[i];
-    EXPECT_NEAR(still.heat.temperature(i), 20 + 10 * std::exp(-1) * std::cos(M_PI * z / 0.24),
-                0.01);
+  auto& x = still.particles.position;
+  for (std::size_t i = 0; i < x.size(); ++i) x.set(i, stretch * x.at(i));
+  const std::vector<double> volume(x.size(), std::pow(stretch, 3));
+  HeatStep<double> step;
+  step.dt_s = 0.1;
+  step.volume = &volume;
+  for (int k = 0; k < 600; ++k) still.heat.advance(still.particles, still.neighbours, step);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double expected = 20 + 10 * std::exp(-1) * std::cos(M_PI * x.z[i] / length);
+    worst = std::max(worst, std::abs(still.heat.temperature(i) - expected));
   }
+  return worst;
 }
+
+TEST(HeatTest, WaveBetweenMirrorsDecaysAtItsRate) { EXPECT_LT(waveError_c(1.0), 0.01); }
+
+/// As ice does: 917 kg/m^3 stand 3 % further apart.
+TEST(HeatTest, WaveDecaysAtItsRateInWhatHasExpanded) { EXPECT_LT(waveError_c(1.0293), 0.05); }
 
 TEST(HeatTest, SameBitsForAnyNumberOfThreads) {
   std::vector<double> first;
@@ -188,110 +204,6 @@ TEST(HeatTest, NoTimeAndNoSpeedupChangeNothing) {
     EXPECT_EQ(still.heat.enthalpy(), before);
     EXPECT_EQ(still.heat.reachedSpeedup(), 0.0);
   }
-}
-
-/// Area by the heat that warmer air brings in a moment; the transfer is so small that water
-/// conducts far better.
-double bareArea_m2(Scene scene) {
-  scene.heat.air_transfer_w_m2k = 1e-3;
-  StillHeat<double> still(scene);
-  still.run(1.0, scene.blocks[0].celsius + 1.0);
-  return still.heat.heatIn_j() / 1e-3;
-}
-
-/// Edges count as rounded, by a piece that shrinks with the spacing.
-TEST(HeatTest, CubeIsBareOnItsSixSides) {
-  for (const int n : {6, 12}) {
-    const double share = bareArea_m2(warmCube(n, 20.0)) / (6 * std::pow(0.02 * n, 2));
-    std::printf("bare area of %d^3 particles: %.3f of its sides\n", n, share);
-    EXPECT_NEAR(share, 1.0, 1.6 / n);
-  }
-}
-
-/// The wall goes on above the water and so covers a little of the particles next to it.
-TEST(HeatTest, WallsKeepTheAirAway) {
-  Scene scene = warmCube(8, 20.0);
-  scene.blocks[0] = test::blockOf({-0.08, -0.08, 0}, {0.08, 0.08, 0.16});
-  scene.containers.push_back(test::tankOf(Vec3d::Constant(0.16), true));
-  EXPECT_NEAR(bareArea_m2(scene) / (0.16 * 0.16), 1.0, 0.1);
-  scene.containers[0].open_top = false;
-  EXPECT_EQ(bareArea_m2(scene), 0.0);
-}
-
-TEST(HeatTest, ASmallBlockCoolsInAirLikeALump) {
-  Scene scene = warmCube(6, 80.0);
-  scene.heat.air_transfer_w_m2k = 0.1;
-  const double area = bareArea_m2(scene);
-  const double mass = 216 * particleMass_kg(scene.fluid, scene.supportRadius_m());
-  const double half_life_s = std::log(2) * mass * 4186 / (0.1 * area);
-  scene.heat.speedup = half_life_s;
-  StillHeat<double> still(scene);
-  still.run(half_life_s, 20.0);
-  const double kelvin = still.heat.totalEnthalpy_j() / mass - 334e3;
-  EXPECT_NEAR(kelvin / 4186, 50.0, 0.3);
-}
-
-TEST(HeatTest, ARegionHeatsWhatIsInItAndEnds) {
-  Scene scene = warmCube(8, 20.0);
-  scene.heat.water_conductivity_w_mk = 0.0;
-  scene.heat.speedup = 2.0;
-  StillHeat<double> still(scene);
-  still.heat.addRegion({BlockShape::kBox, {0, 0, 0}, Vec3d::Constant(0.16), 100.0, 0.505});
-  EXPECT_EQ(still.heat.regions(), 1u);
-  still.run(4.0);
-  EXPECT_EQ(still.heat.regions(), 0u);
-  EXPECT_NEAR(still.heat.heatIn_j(), 100.0 * 0.505 * 2, 1e-3);
-  for (std::size_t i = 0; i < still.particles.size(); ++i) {
-    const bool inside = still.particles.position.at(i).maxCoeff() < 0.08;
-    EXPECT_EQ(still.heat.temperature(i) > 20.001, inside);
-  }
-}
-
-TEST(HeatTest, ARegionHeatsNothingBeyondTheRangeAndKeepsTheLedger) {
-  StillHeat<float> still(warmCube(4, 20.0));
-  for (const double power : {1e9, -1e9}) {
-    const double before = still.heat.totalEnthalpy_j() - still.heat.heatIn_j();
-    still.heat.addRegion({BlockShape::kBall, Vec3d::Constant(0.04), Vec3d::Constant(1), power, 9});
-    still.run(9.0);
-    for (std::size_t i = 0; i < 64; ++i) {
-      EXPECT_NEAR(still.heat.temperature(i), power > 0 ? 1000.0 : -273.15, 1e-6);
-    }
-    const double after = still.heat.totalEnthalpy_j() - still.heat.heatIn_j();
-    EXPECT_NEAR(after, before, 1e-9 * std::abs(still.heat.totalEnthalpy_j()));
-  }
-}
-
-/// A puff whose latent heat the air takes condenses; it never falls below the air, and its
-/// neighbours feel nothing of it.
-TEST(HeatTest, SteamCondensesInTheAirAlone) {
-  Scene scene = warmCube(4, 150.0);
-  scene.heat.speedup = 600.0;
-  StillHeat<double> still(scene);
-  std::vector<std::uint8_t> steam(64, 0);
-  steam[10] = 1;
-  HeatStep<double> step;
-  step.steam = &steam;
-  step.dt_s = 1.0 / 60;
-  for (int k = 0; k < 30; ++k) still.heat.advance(still.particles, still.neighbours, step);
-  for (std::size_t i = 0; i < 64; ++i) {
-    EXPECT_NEAR(still.heat.temperature(i), steam[i] ? 20.0 : 150.0, 1e-6);
-  }
-}
-
-TEST(HeatTest, SteamCondensesAtTheRateOfItsSurface) {
-  Scene scene = warmCube(1, 100.001);
-  scene.heat.speedup = 1.0;
-  scene.steam.transfer_w_m2k = 50.0;
-  StillHeat<double> still(scene);
-  const std::vector<std::uint8_t> steam(1, 1);
-  HeatStep<double> step;
-  step.steam = &steam;
-  step.dt_s = 1.0;
-  const double before = still.heat.totalEnthalpy_j();
-  still.heat.advance(still.particles, still.neighbours, step);
-  const double radius = 12 * std::cbrt(3 * std::pow(0.02, 3) / (4 * M_PI));
-  EXPECT_NEAR((before - still.heat.totalEnthalpy_j()) / (50 * 80 * 4 * M_PI * radius * radius), 1.0,
-              1e-3);
 }
 
 }  // namespace

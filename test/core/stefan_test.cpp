@@ -1,6 +1,8 @@
 // Freezing fronts against the closed forms of Stefan's problem: Carslaw & Jaeger 1959, chapter XI.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "heat_fixture.h"
 
 namespace ice_ice_baby {
