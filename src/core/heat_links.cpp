@@ -61,7 +61,7 @@ Real HeatLinks<Real>::addImages(std::size_t i, const VectorField<Real>& x,
     const Vec3<Real> there = x.at(j);
     const Real distance2 = (there - here).squaredNorm();
     Real images = 0;
-    if (distance2 > 0) {
+    if (distance2 > 0 && distance2 < kernel_.h * kernel_.h) {
       mirrors_.forEachImage(faces, i, j, there, distance2, [&](Real image2) {
         const Real r = std::sqrt(image2);
         images += kernel_.slope(r) / (r * unit);
