@@ -1,0 +1,273 @@
+// Which members of bodies of ice touch what.
+#include "ice_ice_baby/ice_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Faces so near a member are contacts before they are touched, so that what a turn brings down is
+/// held within the same substep; in spacings.
+constexpr double kMargin_d = 0.1;
+
+/// Deeper than this, in spacings, a member would soon be on the other side of a wall.
+constexpr double kDeep_d = 0.4;
+
+/// Two members that were this near, in spacings, are as good as at one point.
+constexpr double kCoincident_d = 1e-6;
+
+}  // namespace
+
+template <class Real>
+IceContacts<Real>::IceContacts(const Scene& scene)
+    : spacing_m_(scene.fluid.spacing_m),
+      contact_m_(scene.fluid.spacing_m / std::cbrt(scene.ice.density_ratio)),
+      friction_(scene.ice.friction) {}
+
+template <class Real>
+void IceContacts<Real>::find(IceBodies<Real>& bodies, const Neighbours<Real>& neighbours,
+                             const Colliders<Real>& colliders) {
+  followMembers(bodies);
+  old_walls_.swap(walls_);
+  old_pairs_.swap(pairs_);
+  walls_.clear();
+  pairs_.clear();
+  for (Index b = 0; b < bodies.count(); ++b) bodies.body(b).supported = false;
+  faces_.take(colliders);
+  if (builds_ != neighbours.builds()) findCandidates(bodies, neighbours);
+  builds_ = neighbours.builds();
+  findPairs(bodies);  // first, as it may wake bodies that then need their walls
+  wakeByColliders(bodies);
+  findWalls(bodies);
+  const double ratio = dt_s_ > 0 ? bodies.dt_s() / dt_s_ : 1.0;
+  startWarm(walls_, old_walls_, ratio * ratio);
+  startWarm(pairs_, old_pairs_, ratio * ratio);
+  dt_s_ = bodies.dt_s();
+  warm_ = true;
+}
+
+/// Gives contacts of the latest substep the numbers that their members have now.
+template <class Real>
+void IceContacts<Real>::followMembers(const IceBodies<Real>& bodies) {
+  if (generation_ == bodies.generation()) return;
+  const bool known = generation_ + 1 == bodies.generation();
+  generation_ = bodies.generation();
+  builds_ = 0;
+  if (!known) {
+    walls_.clear();
+    pairs_.clear();
+    return;
+  }
+  const auto follow = [&](Index member) {
+    return member == kNone ? kNone : bodies.renumbered()[member];
+  };
+  const auto update = [&](std::vector<Contact>& contacts) {
+    std::size_t kept = 0;
+    for (const Contact& contact : contacts) {
+      const Index a = follow(contact.member_a), b = follow(contact.member_b);
+      if (a == kNone || (contact.member_b != kNone && b == kNone)) continue;
+      Contact& moved = contacts[kept++] = contact;
+      moved.member_a = a;
+      moved.member_b = b;
+      const std::uint64_t low = contact.key & 0xffffffffu;
+      moved.key = (std::uint64_t(a) << 32) | (b == kNone ? low : b);
+    }
+    contacts.resize(kept);
+  };
+  update(walls_);
+  update(pairs_);
+}
+
+template <class Real>
+void IceContacts<Real>::wakeByColliders(IceBodies<Real>& bodies) {
+  for (std::size_t k = 0; k < faces_.count(); ++k) {
+    if (!faces_.moves(k)) continue;
+    for (Index b = 0; b < bodies.count(); ++b) {
+      IceBody& body = bodies.body(b);
+      const double reach = body.radius_m + kMargin_d * spacing_m_;
+      if (!body.asleep || !faces_.near(k, body.pose.centre_m, body.pose.centre_m, reach)) continue;
+      body.asleep = false;
+      body.still_s = 0.0;
+    }
+  }
+}
+
+template <class Real>
+void IceContacts<Real>::findWalls(IceBodies<Real>& bodies) {
+  const double margin = kMargin_d * spacing_m_;
+  std::array<Face, 6> faces;
+  for (Index b = 0; b < bodies.count(); ++b) {
+    const IceBody& body = bodies.body(b);
+    if (body.held()) continue;
+    near_.clear();
+    for (std::size_t k = 0; k < faces_.count(); ++k) {
+      const double reach = body.radius_m + margin;
+      if (faces_.near(k, body.pose.centre_m, body.next.centre_m, reach)) {
+        near_.push_back(static_cast<Index>(k));
+      }
+    }
+    if (near_.empty()) continue;
+    for (Index m = body.first; m < body.surface_last; ++m) {
+      const Vec3d from = body.pose.at(bodies.offset(m)), to = body.next.at(bodies.offset(m));
+      for (const Index k : near_) {
+        const std::size_t count = faces_.find(k, from, to, margin, faces);
+        for (std::size_t f = 0; f < count; ++f) {
+          const std::uint64_t key = (std::uint64_t(m) << 32) | (k * 8 + faces[f].number);
+          walls_.push_back({key, b, kNone, m, kNone, k, faces[f].normal, faces[f].point,
+                            faces[f].before_m, faces_.friction(k)});
+        }
+      }
+    }
+  }
+  const auto rises = [](const Contact& a, const Contact& b) { return a.key < b.key; };
+  std::sort(walls_.begin(), walls_.end(), rises);
+}
+
+template <class Real>
+void IceContacts<Real>::findCandidates(const IceBodies<Real>& bodies,
+                                       const Neighbours<Real>& neighbours) {
+  candidates_.clear();
+  if (bodies.count() < 2) return;
+  for (Index b = 0; b < bodies.count(); ++b) {
+    const IceBody& body = bodies.body(b);
+    for (Index m = body.first; m < body.surface_last; ++m) {
+      for (const Index j : neighbours.of(bodies.placeOf(m))) {
+        const Index other = bodies.memberAt(j);
+        if (other == kNone || other < body.last || !bodies.atSurface(other)) continue;
+        candidates_.push_back({m, other});
+      }
+    }
+  }
+  // In the order of the members, not of their places.
+  const auto rises = [](const Candidate& s, const Candidate& t) {
+    return s.a != t.a ? s.a < t.a : s.b < t.b;
+  };
+  std::sort(candidates_.begin(), candidates_.end(), rises);
+}
+
+template <class Real>
+void IceContacts<Real>::findPairs(IceBodies<Real>& bodies) {
+  for (const Candidate& candidate : candidates_) addPair(bodies, candidate);
+}
+
+template <class Real>
+void IceContacts<Real>::addPair(IceBodies<Real>& bodies, const Candidate& candidate) {
+  const Index ka = bodies.bodyOfMember(candidate.a), kb = bodies.bodyOfMember(candidate.b);
+  IceBody& a = bodies.body(ka);
+  IceBody& b = bodies.body(kb);
+  if (a.held() && b.held()) return;
+  const Vec3d& qa = bodies.offset(candidate.a);
+  const Vec3d& qb = bodies.offset(candidate.b);
+  const Vec3d now = a.next.at(qa) - b.next.at(qb);
+  const double reach = contact_m_ + kMargin_d * spacing_m_;
+  if (now.squaredNorm() >= reach * reach) return;
+  for (IceBody* one : {&a, &b}) {
+    const IceBody& other = one == &a ? b : a;
+    // The speed before this substep: one that rests on a sleeper begins each with a little fall.
+    if (!one->asleep || other.asleep || other.speed_m_s <= bodies.sleepSpeed_m_s()) continue;
+    one->asleep = false;
+    one->still_s = 0.0;
+  }
+  const Vec3d before = a.pose.at(qa) - b.pose.at(qb);
+  // Members that passed through each other part the way they came.
+  Vec3d normal = now.dot(before) > 0 ? now : before;
+  const double length = normal.norm();
+  if (length < kCoincident_d * spacing_m_) {
+    normal = Vec3d::UnitZ();
+  } else {
+    normal /= length;
+  }
+  const std::uint64_t key = (std::uint64_t(candidate.a) << 32) | candidate.b;
+  pairs_.push_back({key, ka, kb, candidate.a, candidate.b, kNone, normal, Vec3d::Zero(),
+                    normal.dot(before) - contact_m_, friction_});
+}
+
+/// Takes over the multipliers of contacts that were there in the latest substep. Both lists rise.
+template <class Real>
+void IceContacts<Real>::startWarm(std::vector<Contact>& contacts,
+                                  const std::vector<Contact>& before, double ratio) {
+  std::size_t k = 0;
+  for (Contact& contact : contacts) {
+    while (k < before.size() && before[k].key < contact.key) ++k;
+    if (k == before.size()) return;
+    if (before[k].key != contact.key) continue;
+    contact.pressed = ratio * before[k].pressed;
+    contact.rubbed = ratio * before[k].rubbed;
+  }
+}
+
+template <class Real>
+bool IceContacts<Real>::deepInside(const IceBodies<Real>& bodies, const Contact& contact) const {
+  const Vec3d x = bodies.body(contact.a).next.at(bodies.offset(contact.member_a));
+  const double gap = contact.normal.dot(x - contact.point);
+  // What began deep may stay as it is, but not go deeper.
+  return !(gap > -kDeep_d * spacing_m_ || gap > contact.before_m - 1e-3 * spacing_m_);
+}
+
+template <class Real>
+void IceContacts<Real>::contain(IceBodies<Real>& bodies, VectorField<Real>& predicted) {
+  out_.assign(bodies.count(), 0);
+  carrier_.assign(bodies.count(), kNone);
+  const auto mark = [&](Index b, Index collider) {
+    out_[b] = 1;
+    // A container has the last word, as it has for water.
+    const bool first = carrier_[b] == kNone || !faces_.isContainer(carrier_[b]);
+    if (collider != kNone && faces_.moves(collider) && first) carrier_[b] = collider;
+  };
+  for (const Contact& contact : walls_) {
+    if (deepInside(bodies, contact)) mark(contact.a, contact.collider);
+  }
+  const double deep = kDeep_d * spacing_m_;
+  for (Index b = 0; b < bodies.count(); ++b) {
+    const IceBody& body = bodies.body(b);
+    if (body.held()) continue;
+    if (!body.next.allFinite()) mark(b, kNone);
+    if (b >= moves_.size() || !moves_[b].touched) continue;
+    for (std::size_t k = 0; k < faces_.count() && !out_[b]; ++k) {
+      const double reach = body.radius_m + deep;
+      if (!faces_.near(k, body.pose.centre_m, body.next.centre_m, reach)) continue;
+      for (Index m = body.first; m < body.surface_last; ++m) {
+        const Vec3d from = body.pose.at(bodies.offset(m)), to = body.next.at(bodies.offset(m));
+        if (faces_.push(k, from, to).squaredNorm() > deep * deep) mark(b, static_cast<Index>(k));
+      }
+    }
+  }
+  bool any = false;
+  for (Index b = 0; b < bodies.count(); ++b) {
+    if (!out_[b]) continue;
+    putBack(bodies, b);
+    any = true;
+  }
+  if (any) bodies.writePredicted(predicted, false);
+}
+
+template <class Real>
+void IceContacts<Real>::putBack(IceBodies<Real>& bodies, Index b) {
+  IceBody& body = bodies.body(b);
+  Placement place = body.pose;
+  if (carrier_[b] != kNone) {
+    const Motion<double>& motion = faces_.motion(carrier_[b]);
+    const Mat3<double> turn = motion.to.rotation * motion.from.rotation.transpose();
+    place = {motion.to.toWorld(motion.from.toLocal(body.pose.centre_m)),
+             Eigen::Quaterniond(turn) * body.pose.rotation};
+  }
+  body.moveTo(place);
+  body.stop();
+  ++limited_;
+}
+
+template <class Real>
+std::size_t IceContacts<Real>::bytes() const {
+  const std::size_t contacts =
+      walls_.capacity() + pairs_.capacity() + old_walls_.capacity() + old_pairs_.capacity();
+  return contacts * sizeof(Contact) + rows_.capacity() * sizeof(Rows) +
+         moves_.capacity() * sizeof(Move) + candidates_.capacity() * sizeof(Candidate) +
+         (near_.capacity() + carrier_.capacity()) * sizeof(Index) + out_.capacity();
+}
+
+template class IceContacts<float>;
+template class IceContacts<double>;
+
+}  // namespace ice_ice_baby
