@@ -62,6 +62,7 @@ class IceContacts {
     Row normal, first, second;
     double mass_a, mass_b;  ///< inverse, 1/kg; 0 for what gives way to nothing
     Index a, b;             ///< bodies
+    Vec3d given;            ///< multipliers that the momenta have already
   };
   /// Displacement and turn of a body since the rows were made.
   struct Move {
@@ -86,6 +87,8 @@ class IceContacts {
   void apply(const Rows& rows, const Row& row, double multiplier);
   double violation(const Rows& rows, const Row& row) const;
   double relax(const Rows& rows, Contact& contact);
+  void levelMomenta(IceBodies<Real>& bodies);
+  double movedSinceFound(const IceBody& body, Index b) const;
   bool deepInside(const IceBodies<Real>& bodies, const Contact& contact) const;
   void putBack(IceBodies<Real>& bodies, Index b);
 
@@ -96,7 +99,8 @@ class IceContacts {
   std::vector<Contact> walls_, pairs_;
   std::vector<Contact> old_walls_, old_pairs_;
   std::vector<Rows> rows_;
-  std::vector<Move> moves_;  ///< (bodies)
+  std::vector<Move> moves_;       ///< (bodies)
+  std::vector<Placement> found_;  ///< (bodies) `next` when contacts were found
   std::vector<Candidate> candidates_;
   std::vector<Index> near_;     ///< colliders near a body
   std::vector<char> out_;       ///< (bodies) whether contain has to put it back

@@ -37,26 +37,23 @@ void IceContacts<Real>::makeRows(const IceBodies<Real>& bodies, const Contact& c
   rows.b = contact.b;
   rows.mass_a = a.held() ? 0.0 : 1.0 / a.mass_kg;
   rows.mass_b = wall || b.held() ? 0.0 : 1.0 / b.mass_kg;
-  const Vec3d centre_a = a.next.turn * bodies.offset(contact.member_a);
-  const Vec3d at = a.next.centre_m + centre_a;
-  const double half = (wall ? spacing_m_ : contact_m_) / 2;
-  const Vec3d arm_a = centre_a - half * contact.normal;
+  const Vec3d at_a = a.next.at(bodies.offset(contact.member_a));
+  const Vec3d at_b = wall ? contact.point : b.next.at(bodies.offset(contact.member_b));
+  // Both bodies get the impulse at one point, or angular momentum would be made of nothing.
+  const Vec3d touch =
+      wall ? Vec3d(at_a - spacing_m_ / 2 * contact.normal) : Vec3d((at_a + at_b) / 2);
+  const Vec3d arm_a = touch - a.next.centre_m;
+  const Vec3d arm_b = wall ? Vec3d::Zero() : Vec3d(touch - b.next.centre_m);
+  const double gap = contact.normal.dot(at_a - at_b) - (wall ? 0.0 : contact_m_);
 
   // How far the two surfaces slid over each other since the substep began.
-  Vec3d slid = a.next.centre_m + arm_a - (a.pose.centre_m + moves_[contact.a].back * arm_a);
-  Vec3d arm_b = Vec3d::Zero();
-  double gap;
-  if (wall) {
-    const Motion<double>& motion = faces_.motion(contact.collider);
-    const Vec3d foot = at - half * contact.normal;
-    slid -= foot - motion.from.toWorld(motion.to.toLocal(foot));
-    gap = contact.normal.dot(at - contact.point);
-  } else {
-    const Vec3d centre_b = b.next.turn * bodies.offset(contact.member_b);
-    arm_b = centre_b + half * contact.normal;
-    slid -= b.next.centre_m + arm_b - (b.pose.centre_m + moves_[contact.b].back * arm_b);
-    gap = contact.normal.dot(at - b.next.centre_m - centre_b) - contact_m_;
-  }
+  const auto began = [&](Index k, const IceBody& body, const Vec3d& arm) -> Vec3d {
+    return body.pose.centre_m + moves_[k].back * arm;
+  };
+  const Motion<double>* motion = wall ? &faces_.motion(contact.collider) : nullptr;
+  const Vec3d other_began =
+      wall ? motion->from.toWorld(motion->to.toLocal(touch)) : began(contact.b, b, arm_b);
+  const Vec3d slid = other_began - began(contact.a, a, arm_a);
   const auto fill = [&](Row& row, const Vec3d& axis, double value) {
     row.axis = axis;
     row.lever_a = arm_a.cross(axis);
@@ -123,6 +120,25 @@ double IceContacts<Real>::relax(const Rows& rows, Contact& contact) {
   return std::max(moved, std::abs(second - before_second) * rows.second.inverse_mass);
 }
 
+/// A centre ends at c + dt v, so an impulse acts on its orbit where the substep began, but on its
+/// spin where the contact is now. What two bodies moved against each other meanwhile is a lever
+/// that makes angular momentum; each takes half of it back.
+template <class Real>
+void IceContacts<Real>::levelMomenta(IceBodies<Real>& bodies) {
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const Contact& contact = pairs_[k];
+    IceBody& a = bodies.body(contact.a);
+    IceBody& b = bodies.body(contact.b);
+    if (a.held() || b.held()) continue;
+    const Vec3d given =
+        contact.pressed * contact.normal + contact.rubbed - rows_[walls_.size() + k].given;
+    const Vec3d passed = (a.next.centre_m - a.pose.centre_m) - (b.next.centre_m - b.pose.centre_m);
+    const Vec3d turn = passed.cross(given) / (2 * bodies.dt_s());
+    a.angular_momentum += turn;
+    b.angular_momentum += turn;
+  }
+}
+
 template <class Real>
 void IceContacts<Real>::solve(IceBodies<Real>& bodies, VectorField<Real>& predicted) {
   moves_.resize(bodies.count());
@@ -144,6 +160,7 @@ void IceContacts<Real>::solve(IceBodies<Real>& bodies, VectorField<Real>& predic
     Contact& contact = contactAt(k);
     Rows& rows = rows_[k];
     makeRows(bodies, contact, rows);
+    rows.given = warm_ ? Vec3d::Zero() : Vec3d(contact.pressed * contact.normal + contact.rubbed);
     if (!warm_) continue;
     apply(rows, rows.normal, contact.pressed);
     const double first = contact.rubbed.dot(rows.first.axis);
@@ -161,6 +178,7 @@ void IceContacts<Real>::solve(IceBodies<Real>& bodies, VectorField<Real>& predic
     }
     if (moved < kSettled_d * spacing_m_) break;
   }
+  levelMomenta(bodies);
   for (Index b = 0; b < bodies.count(); ++b) {
     IceBody& body = bodies.body(b);
     if (!moves_[b].touched || body.held()) continue;

@@ -41,6 +41,8 @@ void IceContacts<Real>::find(IceBodies<Real>& bodies, const Neighbours<Real>& ne
   findPairs(bodies);  // first, as it may wake bodies that then need their walls
   wakeByColliders(bodies);
   findWalls(bodies);
+  found_.resize(bodies.count());
+  for (Index b = 0; b < bodies.count(); ++b) found_[b] = bodies.body(b).next;
   const double ratio = dt_s_ > 0 ? bodies.dt_s() / dt_s_ : 1.0;
   startWarm(walls_, old_walls_, ratio * ratio);
   startWarm(pairs_, old_pairs_, ratio * ratio);
@@ -206,6 +208,14 @@ bool IceContacts<Real>::deepInside(const IceBodies<Real>& bodies, const Contact&
   return !(gap > -kDeep_d * spacing_m_ || gap > contact.before_m - 1e-3 * spacing_m_);
 }
 
+/// Bound on how far any member went since contacts were found; those without a contact were further
+/// than the margin from every face.
+template <class Real>
+double IceContacts<Real>::movedSinceFound(const IceBody& body, Index b) const {
+  return (body.next.centre_m - found_[b].centre_m).norm() +
+         (body.next.turn - found_[b].turn).norm() * body.radius_m;
+}
+
 template <class Real>
 void IceContacts<Real>::contain(IceBodies<Real>& bodies, VectorField<Real>& predicted) {
   out_.assign(bodies.count(), 0);
@@ -224,7 +234,7 @@ void IceContacts<Real>::contain(IceBodies<Real>& bodies, VectorField<Real>& pred
     const IceBody& body = bodies.body(b);
     if (body.held()) continue;
     if (!body.next.allFinite()) mark(b, kNone);
-    if (b >= moves_.size() || !moves_[b].touched) continue;
+    if (movedSinceFound(body, b) < deep + kMargin_d * spacing_m_) continue;
     for (std::size_t k = 0; k < faces_.count() && !out_[b]; ++k) {
       const double reach = body.radius_m + deep;
       if (!faces_.near(k, body.pose.centre_m, body.next.centre_m, reach)) continue;
@@ -263,7 +273,8 @@ std::size_t IceContacts<Real>::bytes() const {
   const std::size_t contacts =
       walls_.capacity() + pairs_.capacity() + old_walls_.capacity() + old_pairs_.capacity();
   return contacts * sizeof(Contact) + rows_.capacity() * sizeof(Rows) +
-         moves_.capacity() * sizeof(Move) + candidates_.capacity() * sizeof(Candidate) +
+         moves_.capacity() * sizeof(Move) + found_.capacity() * sizeof(Placement) +
+         candidates_.capacity() * sizeof(Candidate) +
          (near_.capacity() + carrier_.capacity()) * sizeof(Index) + out_.capacity();
 }
 

@@ -75,14 +75,16 @@ struct IceRig {
     b.angular_momentum = b.next.turn * b.inertia * b.next.turn.transpose() * spin_rad_s;
   }
 
+  void sort() {
+    const std::vector<Index>& order = neighbours.sortOrder(particles.predicted);
+    particles.reorder(order);
+    bodies.reorder(order);
+    neighbours.build(particles.predicted);
+  }
+
   void substep(double dt_s) {
     bodies.predict(particles, colliders, scene.gravity_m_s2, dt_s);
-    if (neighbours.stale(particles.predicted)) {
-      const std::vector<Index>& order = neighbours.sortOrder(particles.predicted);
-      particles.reorder(order);
-      bodies.reorder(order);
-      neighbours.build(particles.predicted);
-    }
+    if (neighbours.stale(particles.predicted)) sort();
     contacts.find(bodies, neighbours, colliders);
     for (int k = 0; k < iterations; ++k) contacts.solve(bodies, particles.predicted);
     contacts.contain(bodies, particles.predicted);
