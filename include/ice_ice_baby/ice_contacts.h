@@ -18,8 +18,8 @@ class IceContacts {
 
   /// Finds the contacts of a substep, after predict and, for bodies among each other, after the
   /// neighbour search; wakes sleeping bodies that something moving touches.
-  void find(IceBodies<Real>& bodies, const Neighbours<Real>& neighbours,
-            const Colliders<Real>& colliders);
+  void find(IceBodies<Real>& bodies, const VectorField<Real>& predicted,
+            const Neighbours<Real>& neighbours, const Colliders<Real>& colliders);
 
   /// Moves bodies until no contact is violated and rubs what slides; the impulses go into their
   /// momenta. Multipliers start from those of the latest substep. Writes the predicted positions of
@@ -45,7 +45,8 @@ class IceContacts {
     Index collider;
     Vec3d normal;     ///< towards a
     Vec3d point;      ///< of the face, for a collider
-    double before_m;  ///< gap with which the substep began
+    double gap_m;     ///< when it was found
+    double before_m;  ///< with which the substep began
     double friction;
     double pressed = 0;            ///< multiplier of the normal, kg m: its force times dt^2
     Vec3d rubbed = Vec3d::Zero();  ///< those of the two tangents
@@ -79,10 +80,16 @@ class IceContacts {
   void followMembers(const IceBodies<Real>& bodies);
   void findWalls(IceBodies<Real>& bodies);
   void wakeByColliders(IceBodies<Real>& bodies);
-  void findCandidates(const IceBodies<Real>& bodies, const Neighbours<Real>& neighbours);
+  void findCandidates(const IceBodies<Real>& bodies, const VectorField<Real>& predicted,
+                      const Neighbours<Real>& neighbours);
   void findPairs(IceBodies<Real>& bodies);
   void addPair(IceBodies<Real>& bodies, const Candidate& candidate);
+  Vec3d normalBetween(const Vec3d& bare_a, const Vec3d& bare_b, const Vec3d& now,
+                      const Vec3d& before) const;
   void startWarm(std::vector<Contact>& contacts, const std::vector<Contact>& before, double ratio);
+  void keepSupports(const IceBodies<Real>& bodies, std::vector<Contact>& contacts);
+  bool keepFace(const IceBodies<Real>& bodies, const std::vector<Contact>& contacts,
+                std::size_t first, std::size_t last);
   void makeRows(const IceBodies<Real>& bodies, const Contact& contact, Rows& rows) const;
   void apply(const Rows& rows, const Row& row, double multiplier);
   double violation(const Rows& rows, const Row& row) const;
@@ -102,9 +109,13 @@ class IceContacts {
   std::vector<Move> moves_;       ///< (bodies)
   std::vector<Placement> found_;  ///< (bodies) `next` when contacts were found
   std::vector<Candidate> candidates_;
-  std::vector<Index> near_;     ///< colliders near a body
-  std::vector<char> out_;       ///< (bodies) whether contain has to put it back
-  std::vector<Index> carrier_;  ///< (bodies) collider that then carries it
+  std::vector<Index> near_;  ///< colliders near a body
+  enum Stay : char { kOpen, kStays, kDropped };
+  std::vector<char> stays_;        ///< of the contacts of one body, a Stay
+  std::vector<std::size_t> face_;  ///< contacts of one face
+  std::vector<Vec3d> plane_;       ///< along the face, across it, and the gap, m
+  std::vector<char> out_;          ///< (bodies) whether contain has to put it back
+  std::vector<Index> carrier_;     ///< (bodies) collider that then carries it
   std::size_t generation_ = 0;
   std::size_t builds_ = 0;
   double dt_s_ = 0;

@@ -12,7 +12,7 @@ namespace {
 constexpr int kSweeps = 10;
 
 /// A sweep that moves nothing by more than this, in spacings, is the last.
-constexpr double kSettled_d = 1e-8;
+constexpr double kSettled_d = 1e-7;
 
 /// What overlapped when the substep began parts this share of the overlap per substep, and no
 /// faster than that speed, as the way out counts as velocity.

@@ -12,8 +12,19 @@ namespace {
 /// held within the same substep; in spacings.
 constexpr double kMargin_d = 0.1;
 
+/// No two members come nearer to each other than by this before the lists are built again: the skin
+/// of the lists, in spacings.
+constexpr double kApproach_d = 0.3;
+
 /// Deeper than this, in spacings, a member would soon be on the other side of a wall.
 constexpr double kDeep_d = 0.4;
+
+/// A member that lies this much less bare than the other has the flatter surroundings of the two.
+constexpr double kFlatter = 0.8;
+
+/// So far beside a member, in contact distances, its face still holds another: more than the half
+/// diagonal of a square of four, so that faces have no holes.
+constexpr double kBeside = 0.75;
 
 /// Two members that were this near, in spacings, are as good as at one point.
 constexpr double kCoincident_d = 1e-6;
@@ -27,8 +38,8 @@ IceContacts<Real>::IceContacts(const Scene& scene)
       friction_(scene.ice.friction) {}
 
 template <class Real>
-void IceContacts<Real>::find(IceBodies<Real>& bodies, const Neighbours<Real>& neighbours,
-                             const Colliders<Real>& colliders) {
+void IceContacts<Real>::find(IceBodies<Real>& bodies, const VectorField<Real>& predicted,
+                             const Neighbours<Real>& neighbours, const Colliders<Real>& colliders) {
   followMembers(bodies);
   old_walls_.swap(walls_);
   old_pairs_.swap(pairs_);
@@ -36,7 +47,7 @@ void IceContacts<Real>::find(IceBodies<Real>& bodies, const Neighbours<Real>& ne
   pairs_.clear();
   for (Index b = 0; b < bodies.count(); ++b) bodies.body(b).supported = false;
   faces_.take(colliders);
-  if (builds_ != neighbours.builds()) findCandidates(bodies, neighbours);
+  if (builds_ != neighbours.builds()) findCandidates(bodies, predicted, neighbours);
   builds_ = neighbours.builds();
   findPairs(bodies);  // first, as it may wake bodies that then need their walls
   wakeByColliders(bodies);
@@ -46,6 +57,8 @@ void IceContacts<Real>::find(IceBodies<Real>& bodies, const Neighbours<Real>& ne
   const double ratio = dt_s_ > 0 ? bodies.dt_s() / dt_s_ : 1.0;
   startWarm(walls_, old_walls_, ratio * ratio);
   startWarm(pairs_, old_pairs_, ratio * ratio);
+  keepSupports(bodies, walls_);
+  keepSupports(bodies, pairs_);
   dt_s_ = bodies.dt_s();
   warm_ = true;
 }
@@ -118,40 +131,78 @@ void IceContacts<Real>::findWalls(IceBodies<Real>& bodies) {
         for (std::size_t f = 0; f < count; ++f) {
           const std::uint64_t key = (std::uint64_t(m) << 32) | (k * 8 + faces[f].number);
           walls_.push_back({key, b, kNone, m, kNone, k, faces[f].normal, faces[f].point,
-                            faces[f].before_m, faces_.friction(k)});
+                            faces[f].gap_m, faces[f].before_m, faces_.friction(k)});
         }
       }
     }
   }
-  const auto rises = [](const Contact& a, const Contact& b) { return a.key < b.key; };
-  std::sort(walls_.begin(), walls_.end(), rises);
 }
 
 template <class Real>
 void IceContacts<Real>::findCandidates(const IceBodies<Real>& bodies,
+                                       const VectorField<Real>& predicted,
                                        const Neighbours<Real>& neighbours) {
   candidates_.clear();
   if (bodies.count() < 2) return;
+  const double reach =
+      std::hypot(1.0, kBeside) * contact_m_ + (kMargin_d + kApproach_d) * spacing_m_;
+  const Real reach2 = static_cast<Real>(reach * reach);
   for (Index b = 0; b < bodies.count(); ++b) {
     const IceBody& body = bodies.body(b);
     for (Index m = body.first; m < body.surface_last; ++m) {
-      for (const Index j : neighbours.of(bodies.placeOf(m))) {
+      const Index i = bodies.placeOf(m);
+      const Vec3<Real> at = predicted.at(i);
+      const std::size_t first = candidates_.size();
+      for (const Index j : neighbours.of(i)) {
         const Index other = bodies.memberAt(j);
-        if (other == kNone || other < body.last || !bodies.atSurface(other)) continue;
+        if (other == kNone || other < body.last) continue;
+        if ((predicted.at(j) - at).squaredNorm() > reach2 || !bodies.atSurface(other)) continue;
         candidates_.push_back({m, other});
       }
+      // In the order of the members, not of their places.
+      std::sort(candidates_.begin() + std::ptrdiff_t(first), candidates_.end(),
+                [](const Candidate& s, const Candidate& t) { return s.b < t.b; });
     }
   }
-  // In the order of the members, not of their places.
-  const auto rises = [](const Candidate& s, const Candidate& t) {
-    return s.a != t.a ? s.a < t.a : s.b < t.b;
-  };
-  std::sort(candidates_.begin(), candidates_.end(), rises);
 }
 
 template <class Real>
 void IceContacts<Real>::findPairs(IceBodies<Real>& bodies) {
   for (const Candidate& candidate : candidates_) addPair(bodies, candidate);
+}
+
+/// Direction in which member b pushes member a, or zero where they do not touch. Where one of them
+/// lies in a face it is the normal of that face: along the line between the members, faces would be
+/// beds of balls that roll into each other's hollows and lock like gears.
+/// @param bare_a, bare_b IceBodies::outward in world axes
+/// @param now, before from b to a, m
+template <class Real>
+Vec3d IceContacts<Real>::normalBetween(const Vec3d& bare_a, const Vec3d& bare_b, const Vec3d& now,
+                                       const Vec3d& before) const {
+  const double margin = kMargin_d * spacing_m_;
+  const double a = bare_a.norm(), b = bare_b.norm();
+  Vec3d face = Vec3d::Zero();
+  if (b > 0 && b < kFlatter * a) {
+    face = bare_b;
+  } else if (a > 0 && a < kFlatter * b) {
+    face = -bare_a;
+  } else if (a > 0 && b > 0) {
+    face = bare_b / b - bare_a / a;
+  }
+  const double size = face.norm();
+  if (size > 0.2) {
+    face /= size;
+    const double height = face.dot(now);
+    const double beside = kBeside * contact_m_;
+    const bool above = (now - height * face).squaredNorm() < beside * beside;
+    if (above && face.dot(before) > 0) return height < contact_m_ + margin ? face : Vec3d::Zero();
+  }
+  const double reach = contact_m_ + margin;
+  if (now.squaredNorm() >= reach * reach) return Vec3d::Zero();
+  // Members that passed through each other part the way they came.
+  const Vec3d line = now.dot(before) > 0 ? now : before;
+  const double length = line.norm();
+  return length < kCoincident_d * spacing_m_ ? Vec3d::UnitZ() : Vec3d(line / length);
 }
 
 template <class Real>
@@ -163,8 +214,10 @@ void IceContacts<Real>::addPair(IceBodies<Real>& bodies, const Candidate& candid
   const Vec3d& qa = bodies.offset(candidate.a);
   const Vec3d& qb = bodies.offset(candidate.b);
   const Vec3d now = a.next.at(qa) - b.next.at(qb);
-  const double reach = contact_m_ + kMargin_d * spacing_m_;
-  if (now.squaredNorm() >= reach * reach) return;
+  const Vec3d before = a.pose.at(qa) - b.pose.at(qb);
+  const Vec3d normal = normalBetween(a.next.turn * bodies.outward(candidate.a),
+                                     b.next.turn * bodies.outward(candidate.b), now, before);
+  if (normal.isZero(0)) return;
   for (IceBody* one : {&a, &b}) {
     const IceBody& other = one == &a ? b : a;
     // The speed before this substep: one that rests on a sleeper begins each with a little fall.
@@ -172,18 +225,9 @@ void IceContacts<Real>::addPair(IceBodies<Real>& bodies, const Candidate& candid
     one->asleep = false;
     one->still_s = 0.0;
   }
-  const Vec3d before = a.pose.at(qa) - b.pose.at(qb);
-  // Members that passed through each other part the way they came.
-  Vec3d normal = now.dot(before) > 0 ? now : before;
-  const double length = normal.norm();
-  if (length < kCoincident_d * spacing_m_) {
-    normal = Vec3d::UnitZ();
-  } else {
-    normal /= length;
-  }
   const std::uint64_t key = (std::uint64_t(candidate.a) << 32) | candidate.b;
   pairs_.push_back({key, ka, kb, candidate.a, candidate.b, kNone, normal, Vec3d::Zero(),
-                    normal.dot(before) - contact_m_, friction_});
+                    normal.dot(now) - contact_m_, normal.dot(before) - contact_m_, friction_});
 }
 
 /// Takes over the multipliers of contacts that were there in the latest substep. Both lists rise.
@@ -275,7 +319,9 @@ std::size_t IceContacts<Real>::bytes() const {
   return contacts * sizeof(Contact) + rows_.capacity() * sizeof(Rows) +
          moves_.capacity() * sizeof(Move) + found_.capacity() * sizeof(Placement) +
          candidates_.capacity() * sizeof(Candidate) +
-         (near_.capacity() + carrier_.capacity()) * sizeof(Index) + out_.capacity();
+         (near_.capacity() + carrier_.capacity()) * sizeof(Index) + out_.capacity() +
+         stays_.capacity() + face_.capacity() * sizeof(std::size_t) +
+         plane_.capacity() * sizeof(Vec3d);
 }
 
 template class IceContacts<float>;

@@ -75,6 +75,7 @@ void IceBodies<Real>::keepBodies(const std::vector<Index>& group_of_body) {
       renumbered_[m] = static_cast<Index>(place_.size());
       place_.push_back(old_place_[m]);
       offset_.push_back(old_offset_[m]);
+      outward_.push_back(old_outward_[m]);
       body_of_.push_back(static_cast<Index>(bodies_.size()));
     }
     bodies_.push_back(body);
@@ -133,18 +134,26 @@ void IceBodies<Real>::sortSurface(const VectorField<Real>& x, const Neighbours<R
   constexpr unsigned kHidden = (1u << 14) - 1;
   const auto reach2 = static_cast<Real>(std::pow(kHideReach_d * 2 * radius_m_, 2));
   at_surface_.resize(label.size());
+  bare_.resize(label.size());
   const auto isHidden = [&](Index i) {
     unsigned taken = 0;
+    double near = 0.0;
+    Vec3d sum = Vec3d::Zero();
     for (const Index j : neighbours.of(i)) {
-      if (label[j] != label[i] || taken == kHidden) continue;
+      if (label[j] != label[i]) continue;
       const Vec3<Real> to = x.at(j) - x.at(i);
       if (to.squaredNorm() > reach2) continue;
       const Vec3d along = to.template cast<double>();
-      const double least = kLookoutCosine * along.norm();
+      const double length = along.norm();
+      if (length == 0) continue;
+      sum += along / length;
+      near += 1.0;
+      const double least = kLookoutCosine * length;
       for (unsigned k = 0; k < 14; ++k) {
         if (along.dot(lookouts()[k]) > least) taken |= 1u << k;
       }
     }
+    bare_[i] = near > 0 ? Vec3d(-sum / near) : Vec3d::Zero();
     return taken == kHidden;
   };
   parallelFor(body.count(), [&](std::size_t k) {
@@ -155,6 +164,7 @@ void IceBodies<Real>::sortSurface(const VectorField<Real>& x, const Neighbours<R
   const auto end = std::stable_partition(begin, place_.begin() + body.last,
                                          [&](Index i) { return at_surface_[i] != 0; });
   body.surface_last = body.first + static_cast<Index>(end - begin);
+  for (Index m = body.first; m < body.last; ++m) outward_[m] = bare_[place_[m]];
 }
 
 /// Wakes kept bodies beside particles that left or joined another: what held them may be gone.
@@ -203,11 +213,13 @@ bool IceBodies<Real>::assign(const Particles<Real>& particles, const Neighbours<
   old_bodies_.swap(bodies_);
   old_place_.swap(place_);
   old_offset_.swap(offset_);
+  old_outward_.swap(outward_);
   old_body_of_.swap(body_of_);
   old_member_at_.swap(member_at_);
   bodies_.clear();
   place_.clear();
   offset_.clear();
+  outward_.clear();
   body_of_.clear();
   renumbered_.assign(old_place_.size(), kNone);
 
@@ -227,6 +239,7 @@ bool IceBodies<Real>::assign(const Particles<Real>& particles, const Neighbours<
   const Index first_new = next;
   place_.resize(members);
   offset_.resize(members);
+  outward_.resize(members);
   body_of_.resize(members);
   for (Group& group : groups_) {
     if (group.next == kNone) continue;
@@ -264,9 +277,12 @@ std::size_t IceBodies<Real>::bytes() const {
       renumbered_.capacity() + group_of_label_.capacity() + group_of_body_.capacity() +
       old_place_.capacity() + old_body_of_.capacity() + old_member_at_.capacity();
   return (bodies_.capacity() + old_bodies_.capacity()) * sizeof(IceBody) +
-         (offset_.capacity() + old_offset_.capacity()) * sizeof(Vec3d) + indices * sizeof(Index) +
-         chunks_.capacity() * sizeof(Chunk) + moments_.capacity() * sizeof(Moment) +
-         groups_.capacity() * sizeof(Group) + at_surface_.capacity();
+         (offset_.capacity() + old_offset_.capacity() + outward_.capacity() +
+          old_outward_.capacity() + bare_.capacity()) *
+             sizeof(Vec3d) +
+         indices * sizeof(Index) + chunks_.capacity() * sizeof(Chunk) +
+         moments_.capacity() * sizeof(Moment) + groups_.capacity() * sizeof(Group) +
+         at_surface_.capacity();
 }
 
 template class IceBodies<float>;

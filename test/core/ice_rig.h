@@ -85,7 +85,7 @@ struct IceRig {
   void substep(double dt_s) {
     bodies.predict(particles, colliders, scene.gravity_m_s2, dt_s);
     if (neighbours.stale(particles.predicted)) sort();
-    contacts.find(bodies, neighbours, colliders);
+    contacts.find(bodies, particles.predicted, neighbours, colliders);
     for (int k = 0; k < iterations; ++k) contacts.solve(bodies, particles.predicted);
     contacts.contain(bodies, particles.predicted);
     bodies.finish(particles);
