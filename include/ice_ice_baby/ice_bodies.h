@@ -104,8 +104,8 @@ class IceBodies {
   struct Group {
     Index count;
     Index was;   ///< body that its first particle was in
-    bool whole;  ///< whether all of them were
-    Index next;  ///< member that the next particle becomes
+    bool kept;   ///< whether that body is just these
+    Index next;  ///< member that its next particle becomes
   };
   /// Members first ... last - 1 of one body, few enough that a sum over them is one task.
   struct Chunk {
@@ -119,14 +119,16 @@ class IceBodies {
     Vec3d turn;
   };
 
-  bool kept(const Group& group) const {
-    return group.was != kNone && group.whole && group.count == bodies_[group.was].count();
-  }
   bool gatherGroups(const std::vector<Index>& label);
-  void keepBodies(const std::vector<Index>& group_of_body);
+  void putAside();
+  void keepBodies();
+  void makeBodies(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
+                  const std::vector<Index>& label);
   void makeBody(const Particles<Real>& particles, Index first, Index last);
-  void sortSurface(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
-                   const std::vector<Index>& label, IceBody& body);
+  bool lookAround(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
+                  const std::vector<Index>& label, Index i);
+  Index sortSurface(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
+                    const std::vector<Index>& label, Index first, Index last);
   void wakeBeside(const Neighbours<Real>& neighbours, const std::vector<Index>& label);
   void makeChunks();
 
@@ -157,7 +159,7 @@ class IceBodies {
 
   std::vector<Index> group_of_label_;  ///< (n) scratch of assign, as all below
   std::vector<Group> groups_;
-  std::vector<Index> group_of_body_;
+  std::vector<char> stays_;  ///< (bodies)
   std::vector<IceBody> old_bodies_;
   std::vector<Index> old_place_, old_body_of_, old_member_at_;
   std::vector<Vec3d> old_offset_, old_outward_;

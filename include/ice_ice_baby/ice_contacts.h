@@ -77,6 +77,10 @@ class IceContacts {
     Index a, b;  ///< members, a < b
   };
 
+  Contact& contactAt(std::size_t k) {
+    return k < walls_.size() ? walls_[k] : pairs_[k - walls_.size()];
+  }
+
   void followMembers(const IceBodies<Real>& bodies);
   void findWalls(IceBodies<Real>& bodies);
   void wakeByColliders(IceBodies<Real>& bodies);
@@ -94,6 +98,9 @@ class IceContacts {
   void apply(const Rows& rows, const Row& row, double multiplier);
   double violation(const Rows& rows, const Row& row) const;
   double relax(const Rows& rows, Contact& contact);
+  void beginMoves(const IceBodies<Real>& bodies);
+  void applyWarm(const Rows& rows, Contact& contact);
+  void noteLoads(IceBodies<Real>& bodies);
   void levelMomenta(IceBodies<Real>& bodies);
   double movedSinceFound(const IceBody& body, Index b) const;
   bool deepInside(const IceBodies<Real>& bodies, const Contact& contact) const;

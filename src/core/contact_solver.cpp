@@ -139,35 +139,66 @@ void IceContacts<Real>::levelMomenta(IceBodies<Real>& bodies) {
   }
 }
 
+/// Forgets the moves of the bodies, and remembers how those with contacts turned so far.
+template <class Real>
+void IceContacts<Real>::beginMoves(const IceBodies<Real>& bodies) {
+  moves_.assign(bodies.count(), Move());
+  const auto touch = [&](Index b) {
+    if (b == kNone || moves_[b].touched) return;
+    const IceBody& body = bodies.body(b);
+    moves_[b].back = body.pose.turn * body.next.turn.transpose();
+    moves_[b].touched = true;
+  };
+  for (std::size_t k = 0; k < count(); ++k) {
+    touch(contactAt(k).a);
+    touch(contactAt(k).b);
+  }
+}
+
+/// Gives the bodies at once what the latest substep ended with.
+template <class Real>
+void IceContacts<Real>::applyWarm(const Rows& rows, Contact& contact) {
+  apply(rows, rows.normal, contact.pressed);
+  const double first = contact.rubbed.dot(rows.first.axis);
+  const double second = contact.rubbed.dot(rows.second.axis);
+  contact.rubbed = first * rows.first.axis + second * rows.second.axis;
+  apply(rows, rows.first, first);
+  apply(rows, rows.second, second);
+}
+
+/// Notes which bodies something that cannot give way carries, and which one that moves presses on.
+template <class Real>
+void IceContacts<Real>::noteLoads(IceBodies<Real>& bodies) {
+  for (Index b = 0; b < bodies.count(); ++b) {
+    bodies.body(b).supported = bodies.body(b).jostled = false;
+  }
+  for (std::size_t k = 0; k < count(); ++k) {
+    const Contact& contact = contactAt(k);
+    if (contact.pressed == 0) continue;
+    IceBody& a = bodies.body(contact.a);
+    if (contact.b == kNone) {
+      a.supported = true;
+      continue;
+    }
+    IceBody& b = bodies.body(contact.b);
+    a.supported = a.supported || b.held();
+    b.supported = b.supported || a.held();
+    a.jostled = a.jostled || b.speed_m_s > bodies.sleepSpeed_m_s();
+    b.jostled = b.jostled || a.speed_m_s > bodies.sleepSpeed_m_s();
+  }
+}
+
 template <class Real>
 void IceContacts<Real>::solve(IceBodies<Real>& bodies, VectorField<Real>& predicted) {
-  moves_.resize(bodies.count());
-  const auto contactAt = [&](std::size_t k) -> Contact& {
-    return k < walls_.size() ? walls_[k] : pairs_[k - walls_.size()];
-  };
   const std::size_t contacts = count();
-  for (Move& move : moves_) move = Move();
-  for (std::size_t k = 0; k < contacts; ++k) {
-    for (const Index b : {contactAt(k).a, contactAt(k).b}) {
-      if (b == kNone || moves_[b].touched) continue;
-      const IceBody& body = bodies.body(b);
-      moves_[b].back = body.pose.turn * body.next.turn.transpose();
-      moves_[b].touched = true;
-    }
-  }
+  beginMoves(bodies);
   rows_.resize(contacts);
   for (std::size_t k = 0; k < contacts; ++k) {
     Contact& contact = contactAt(k);
     Rows& rows = rows_[k];
     makeRows(bodies, contact, rows);
     rows.given = warm_ ? Vec3d::Zero() : Vec3d(contact.pressed * contact.normal + contact.rubbed);
-    if (!warm_) continue;
-    apply(rows, rows.normal, contact.pressed);
-    const double first = contact.rubbed.dot(rows.first.axis);
-    const double second = contact.rubbed.dot(rows.second.axis);
-    contact.rubbed = first * rows.first.axis + second * rows.second.axis;
-    apply(rows, rows.first, first);
-    apply(rows, rows.second, second);
+    if (warm_) applyWarm(rows, contact);
   }
   warm_ = false;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -184,18 +215,7 @@ void IceContacts<Real>::solve(IceBodies<Real>& bodies, VectorField<Real>& predic
     if (!moves_[b].touched || body.held()) continue;
     body.push(moves_[b].by, moves_[b].turn, bodies.dt_s());
   }
-  for (std::size_t k = 0; k < contacts; ++k) {
-    const Contact& contact = contactAt(k);
-    if (contact.pressed == 0) continue;
-    IceBody& a = bodies.body(contact.a);
-    if (contact.b == kNone) {
-      a.supported = true;
-      continue;
-    }
-    IceBody& b = bodies.body(contact.b);
-    a.supported = a.supported || b.held();
-    b.supported = b.supported || a.held();
-  }
+  noteLoads(bodies);
   bodies.writePredicted(predicted, false);
 }
 

@@ -218,8 +218,8 @@ void IceBodies<Real>::updateSleep(const std::vector<char>& wet, double time_s) {
     for (Index m = body.first; m < body.surface_last && !touches_water && !wet.empty(); ++m) {
       touches_water = wet[place_[m]];
     }
-    const bool slow = body.asleep || (body.supported && body.speed_m_s < sleep_speed_m_s_);
-    body.still_s = slow && !touches_water ? body.still_s + time_s : 0.0;
+    const bool calm = body.supported && !body.jostled && body.speed_m_s < sleep_speed_m_s_;
+    body.still_s = (body.asleep || calm) && !touches_water ? body.still_s + time_s : 0.0;
     const bool sleeps = body.still_s >= kStill_s;
     if (sleeps && !body.asleep) body.stop();
     body.asleep = sleeps;

@@ -45,7 +45,6 @@ void IceContacts<Real>::find(IceBodies<Real>& bodies, const VectorField<Real>& p
   old_pairs_.swap(pairs_);
   walls_.clear();
   pairs_.clear();
-  for (Index b = 0; b < bodies.count(); ++b) bodies.body(b).supported = false;
   faces_.take(colliders);
   if (builds_ != neighbours.builds()) findCandidates(bodies, predicted, neighbours);
   builds_ = neighbours.builds();

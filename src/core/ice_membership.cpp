@@ -55,17 +55,25 @@ bool IceBodies<Real>::gatherGroups(const std::vector<Index>& label) {
     }
     Group& group = groups_[g];
     ++group.count;
-    group.whole = group.whole && bodyOf(i) == group.was;
+    group.kept = group.kept && bodyOf(i) == group.was;
   }
-  const auto same = [&](const Group& group) { return kept(group); };
-  return groups_.size() != bodies_.size() || !std::all_of(groups_.begin(), groups_.end(), same);
+  bool same = groups_.size() == bodies_.size();
+  for (Group& group : groups_) {
+    group.kept = group.kept && group.was != kNone && group.count == bodies_[group.was].count();
+    same = same && group.kept;
+  }
+  return !same;
 }
 
 /// Copies the bodies that stay, in their order, from the old arrays.
 template <class Real>
-void IceBodies<Real>::keepBodies(const std::vector<Index>& group_of_body) {
+void IceBodies<Real>::keepBodies() {
+  stays_.assign(old_bodies_.size(), 0);
+  for (const Group& group : groups_) {
+    if (group.kept) stays_[group.was] = 1;
+  }
   for (Index b = 0; b < old_bodies_.size(); ++b) {
-    if (group_of_body[b] == kNone) continue;
+    if (!stays_[b]) continue;
     const IceBody& old = old_bodies_[b];
     IceBody body = old;
     body.first = static_cast<Index>(place_.size());
@@ -127,44 +135,48 @@ void IceBodies<Real>::makeBody(const Particles<Real>& particles, Index first, In
   bodies_.push_back(body);
 }
 
-/// Puts the members of a new body that something may touch before those hidden behind others.
+/// Notes where particle i lies bare: IceBodies::outward.
+/// @return whether it is hidden among particles of its label, so that nothing can touch it
 template <class Real>
-void IceBodies<Real>::sortSurface(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
-                                  const std::vector<Index>& label, IceBody& body) {
+bool IceBodies<Real>::lookAround(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
+                                 const std::vector<Index>& label, Index i) {
   constexpr unsigned kHidden = (1u << 14) - 1;
   const auto reach2 = static_cast<Real>(std::pow(kHideReach_d * 2 * radius_m_, 2));
+  const Vec3<Real> here = x.at(i);
+  unsigned taken = 0;
+  double near = 0.0;
+  Vec3d sum = Vec3d::Zero();
+  for (const Index j : neighbours.of(i)) {
+    if (label[j] != label[i]) continue;
+    const Vec3<Real> to = x.at(j) - here;
+    if (to.squaredNorm() > reach2 || to.isZero(0)) continue;
+    const Vec3d along = to.template cast<double>().normalized();
+    sum += along;
+    near += 1.0;
+    if (taken == kHidden) continue;
+    for (unsigned k = 0; k < 14; ++k) {
+      if (along.dot(lookouts()[k]) > kLookoutCosine) taken |= 1u << k;
+    }
+  }
+  bare_[i] = near > 0 ? Vec3d(-sum / near) : Vec3d::Zero();
+  return taken == kHidden;
+}
+
+/// Puts the members of a new body that something may touch before those hidden behind others.
+/// @return end of those that something may touch
+template <class Real>
+Index IceBodies<Real>::sortSurface(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
+                                   const std::vector<Index>& label, Index first, Index last) {
   at_surface_.resize(label.size());
   bare_.resize(label.size());
-  const auto isHidden = [&](Index i) {
-    unsigned taken = 0;
-    double near = 0.0;
-    Vec3d sum = Vec3d::Zero();
-    for (const Index j : neighbours.of(i)) {
-      if (label[j] != label[i]) continue;
-      const Vec3<Real> to = x.at(j) - x.at(i);
-      if (to.squaredNorm() > reach2) continue;
-      const Vec3d along = to.template cast<double>();
-      const double length = along.norm();
-      if (length == 0) continue;
-      sum += along / length;
-      near += 1.0;
-      const double least = kLookoutCosine * length;
-      for (unsigned k = 0; k < 14; ++k) {
-        if (along.dot(lookouts()[k]) > least) taken |= 1u << k;
-      }
-    }
-    bare_[i] = near > 0 ? Vec3d(-sum / near) : Vec3d::Zero();
-    return taken == kHidden;
-  };
-  parallelFor(body.count(), [&](std::size_t k) {
-    const Index i = place_[body.first + k];
-    at_surface_[i] = !isHidden(i);
+  parallelFor(last - first, [&](std::size_t k) {
+    const Index i = place_[first + k];
+    at_surface_[i] = !lookAround(x, neighbours, label, i);
   });
-  const auto begin = place_.begin() + body.first;
-  const auto end = std::stable_partition(begin, place_.begin() + body.last,
+  const auto end = std::stable_partition(place_.begin() + first, place_.begin() + last,
                                          [&](Index i) { return at_surface_[i] != 0; });
-  body.surface_last = body.first + static_cast<Index>(end - begin);
-  for (Index m = body.first; m < body.last; ++m) outward_[m] = bare_[place_[m]];
+  for (Index m = first; m < last; ++m) outward_[m] = bare_[place_[m]];
+  return static_cast<Index>(end - place_.begin());
 }
 
 /// Wakes kept bodies beside particles that left or joined another: what held them may be gone.
@@ -205,64 +217,61 @@ void IceBodies<Real>::makeChunks() {
   batches_.push_back(static_cast<Index>(chunks_.size()));
 }
 
+/// Puts what is there aside for the time that new arrays are made of it.
+template <class Real>
+void IceBodies<Real>::putAside() {
+  const auto aside = [](auto& values, auto& old) {
+    old.swap(values);
+    values.clear();
+  };
+  aside(bodies_, old_bodies_);
+  aside(place_, old_place_);
+  aside(offset_, old_offset_);
+  aside(outward_, old_outward_);
+  aside(body_of_, old_body_of_);
+  aside(member_at_, old_member_at_);
+  renumbered_.assign(old_place_.size(), kNone);
+}
+
+/// Makes the bodies of the groups that are not kept, in the order in which their first members lie.
+template <class Real>
+void IceBodies<Real>::makeBodies(const Particles<Real>& particles,
+                                 const Neighbours<Real>& neighbours,
+                                 const std::vector<Index>& label) {
+  auto members = static_cast<Index>(place_.size());
+  const Index first_new = members;
+  for (Group& group : groups_) {
+    if (group.kept) continue;
+    group.next = members;
+    members += group.count;
+  }
+  place_.resize(members);
+  offset_.resize(members);
+  outward_.resize(members);
+  body_of_.resize(members);
+  for (Index i = 0; i < label.size(); ++i) {
+    if (label[i] == kNone) continue;
+    Group& group = groups_[group_of_label_[label[i]]];
+    if (!group.kept) place_[group.next++] = i;
+  }
+  for (Index first = first_new, last; first < members; first = last) {
+    last = groups_[group_of_label_[label[place_[first]]]].next;
+    const Index surface_last = sortSurface(particles.position, neighbours, label, first, last);
+    makeBody(particles, first, last);
+    bodies_.back().surface_last = surface_last;
+    std::fill(body_of_.begin() + first, body_of_.begin() + last,
+              static_cast<Index>(bodies_.size() - 1));
+  }
+}
+
 template <class Real>
 bool IceBodies<Real>::assign(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
                              const std::vector<Index>& label) {
   if (!gatherGroups(label)) return false;
   ++generation_;
-  old_bodies_.swap(bodies_);
-  old_place_.swap(place_);
-  old_offset_.swap(offset_);
-  old_outward_.swap(outward_);
-  old_body_of_.swap(body_of_);
-  old_member_at_.swap(member_at_);
-  bodies_.clear();
-  place_.clear();
-  offset_.clear();
-  outward_.clear();
-  body_of_.clear();
-  renumbered_.assign(old_place_.size(), kNone);
-
-  group_of_body_.assign(old_bodies_.size(), kNone);
-  std::size_t members = 0;
-  for (Index g = 0; g < groups_.size(); ++g) {
-    members += groups_[g].count;
-    const Group& group = groups_[g];
-    const bool keeps =
-        group.was != kNone && group.whole && group.count == old_bodies_[group.was].count();
-    if (keeps) group_of_body_[group.was] = g;
-    groups_[g].next = keeps ? kNone : 0;
-  }
-  keepBodies(group_of_body_);
-
-  Index next = static_cast<Index>(place_.size());
-  const Index first_new = next;
-  place_.resize(members);
-  offset_.resize(members);
-  outward_.resize(members);
-  body_of_.resize(members);
-  for (Group& group : groups_) {
-    if (group.next == kNone) continue;
-    group.next = next;
-    next += group.count;
-  }
-  for (Index i = 0; i < label.size(); ++i) {
-    if (label[i] == kNone) continue;
-    Group& group = groups_[group_of_label_[label[i]]];
-    if (group.next != kNone) place_[group.next++] = i;
-  }
-  for (Index first = first_new; first < members;) {
-    const Index last = groups_[group_of_label_[label[place_[first]]]].next;
-    IceBody range;
-    range.first = first;
-    range.last = last;
-    sortSurface(particles.position, neighbours, label, range);
-    makeBody(particles, first, last);
-    bodies_.back().surface_last = range.surface_last;
-    std::fill(body_of_.begin() + first, body_of_.begin() + last,
-              static_cast<Index>(bodies_.size() - 1));
-    first = last;
-  }
+  putAside();
+  keepBodies();
+  makeBodies(particles, neighbours, label);
   member_at_.assign(label.size(), kNone);
   for (Index m = 0; m < place_.size(); ++m) member_at_[place_[m]] = m;
   wakeBeside(neighbours, label);
@@ -272,17 +281,16 @@ bool IceBodies<Real>::assign(const Particles<Real>& particles, const Neighbours<
 
 template <class Real>
 std::size_t IceBodies<Real>::bytes() const {
-  const std::size_t indices =
-      place_.capacity() + body_of_.capacity() + member_at_.capacity() + batches_.capacity() +
-      renumbered_.capacity() + group_of_label_.capacity() + group_of_body_.capacity() +
-      old_place_.capacity() + old_body_of_.capacity() + old_member_at_.capacity();
-  return (bodies_.capacity() + old_bodies_.capacity()) * sizeof(IceBody) +
-         (offset_.capacity() + old_offset_.capacity() + outward_.capacity() +
-          old_outward_.capacity() + bare_.capacity()) *
-             sizeof(Vec3d) +
+  const std::size_t vectors = offset_.capacity() + old_offset_.capacity() + outward_.capacity() +
+                              old_outward_.capacity() + bare_.capacity();
+  const std::size_t indices = place_.capacity() + body_of_.capacity() + member_at_.capacity() +
+                              batches_.capacity() + renumbered_.capacity() +
+                              group_of_label_.capacity() + old_place_.capacity() +
+                              old_body_of_.capacity() + old_member_at_.capacity();
+  return (bodies_.capacity() + old_bodies_.capacity()) * sizeof(IceBody) + vectors * sizeof(Vec3d) +
          indices * sizeof(Index) + chunks_.capacity() * sizeof(Chunk) +
          moments_.capacity() * sizeof(Moment) + groups_.capacity() * sizeof(Group) +
-         at_surface_.capacity();
+         at_surface_.capacity() + stays_.capacity();
 }
 
 template class IceBodies<float>;
