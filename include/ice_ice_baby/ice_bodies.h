@@ -63,6 +63,8 @@ class IceBodies {
   /// @param time_s since the latest call
   void updateSleep(const std::vector<char>& wet, double time_s);
   void wakeAll();
+  /// Wakes a body after predict: it flies this substep like any other.
+  void wakeInFlight(Index body);
 
   std::size_t count() const { return bodies_.size(); }
   std::size_t asleep() const;
@@ -119,6 +121,13 @@ class IceBodies {
     Vec3d turn;
   };
 
+  /// Awake bodies that press on each other.
+  struct Island {
+    double still_s;  ///< of the least still of them
+    bool supported;
+  };
+
+  bool isWet(const IceBody& body, const std::vector<char>& wet) const;
   bool gatherGroups(const std::vector<Index>& label);
   void putAside();
   void keepBodies();
@@ -132,7 +141,8 @@ class IceBodies {
   void wakeBeside(const Neighbours<Real>& neighbours, const std::vector<Index>& label);
   void makeChunks();
 
-  void advance(IceBody& body, const Colliders<Real>& colliders, const Vec3d& gravity_m_s2);
+  void follow(IceBody& body, const Colliders<Real>& colliders) const;
+  void fly(IceBody& body);
   void limit(IceBody& body);
   template <class Visit>
   void forEachChunk(const Visit& visit) const;
@@ -143,6 +153,7 @@ class IceBodies {
   double radius_m_;  ///< of a particle
   double sleep_speed_m_s_;
   double max_speed_m_s_;
+  Vec3d gravity_m_s2_ = Vec3d::Zero();
   double dt_s_ = 1.0;
   std::vector<IceBody> bodies_;
   std::vector<Index> place_;      ///< (members) where the particle is
@@ -152,6 +163,7 @@ class IceBodies {
   std::vector<Index> member_at_;  ///< (n) member, or kNone
   std::vector<Chunk> chunks_;
   std::vector<Index> batches_;   ///< first chunk of each task, and one end mark
+  std::vector<Island> islands_;  ///< (bodies) scratch of updateSleep
   std::vector<Moment> moments_;  ///< (chunks)
   std::size_t generation_ = 0;
   std::vector<Index> renumbered_;

@@ -46,7 +46,7 @@ struct IceBody {
   double still_s = 0.0;    ///< for how long that was below the sleep speed
   bool asleep = false;
   bool supported = false;  ///< whether what cannot give way carried it in the latest substep
-  bool jostled = false;    ///< whether one that moves pressed on it then
+  Index island = kNone;  ///< lowest of the awake bodies that press on each other; kNone: of itself
 
   std::size_t count() const { return last - first; }
   /// Whether it gives way to nothing: it sleeps or a collider carries it.

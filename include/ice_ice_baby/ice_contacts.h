@@ -82,14 +82,16 @@ class IceContacts {
   }
 
   void followMembers(const IceBodies<Real>& bodies);
-  void findWalls(IceBodies<Real>& bodies);
+  void findWalls(const IceBodies<Real>& bodies);
   void wakeByColliders(IceBodies<Real>& bodies);
+  void wakeByBodies(IceBodies<Real>& bodies);
   void findCandidates(const IceBodies<Real>& bodies, const VectorField<Real>& predicted,
                       const Neighbours<Real>& neighbours);
-  void findPairs(IceBodies<Real>& bodies);
-  void addPair(IceBodies<Real>& bodies, const Candidate& candidate);
+  void addPair(const IceBodies<Real>& bodies, const Candidate& candidate);
   Vec3d normalBetween(const Vec3d& bare_a, const Vec3d& bare_b, const Vec3d& now,
                       const Vec3d& before) const;
+  void layDown(const IceBodies<Real>& bodies, const std::vector<Contact>& before,
+               std::vector<Contact>& dormant);
   void startWarm(std::vector<Contact>& contacts, const std::vector<Contact>& before, double ratio);
   void keepSupports(const IceBodies<Real>& bodies, std::vector<Contact>& contacts);
   bool keepFace(const IceBodies<Real>& bodies, const std::vector<Contact>& contacts,
@@ -112,6 +114,7 @@ class IceContacts {
   ColliderFaces faces_;
   std::vector<Contact> walls_, pairs_;
   std::vector<Contact> old_walls_, old_pairs_;
+  std::vector<Contact> dormant_walls_, dormant_pairs_;  ///< of what sleeps
   std::vector<Rows> rows_;
   std::vector<Move> moves_;       ///< (bodies)
   std::vector<Placement> found_;  ///< (bodies) `next` when contacts were found

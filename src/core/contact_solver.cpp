@@ -166,26 +166,34 @@ void IceContacts<Real>::applyWarm(const Rows& rows, Contact& contact) {
   apply(rows, rows.second, second);
 }
 
-/// Notes which bodies something that cannot give way carries, and which one that moves presses on.
+/// Notes which bodies something that cannot give way carries, and which press on each other.
 template <class Real>
 void IceContacts<Real>::noteLoads(IceBodies<Real>& bodies) {
   for (Index b = 0; b < bodies.count(); ++b) {
-    bodies.body(b).supported = bodies.body(b).jostled = false;
+    bodies.body(b).supported = false;
+    bodies.body(b).island = b;
   }
+  const auto root = [&](Index b) {
+    while (bodies.body(b).island != b) {
+      b = bodies.body(b).island = bodies.body(bodies.body(b).island).island;
+    }
+    return b;
+  };
   for (std::size_t k = 0; k < count(); ++k) {
     const Contact& contact = contactAt(k);
     if (contact.pressed == 0) continue;
     IceBody& a = bodies.body(contact.a);
-    if (contact.b == kNone) {
+    const bool wall = contact.b == kNone;
+    if (wall || bodies.body(contact.b).held()) {
       a.supported = true;
-      continue;
+    } else if (a.held()) {
+      bodies.body(contact.b).supported = true;
+    } else {
+      const Index one = root(contact.a), other = root(contact.b);
+      bodies.body(std::max(one, other)).island = std::min(one, other);
     }
-    IceBody& b = bodies.body(contact.b);
-    a.supported = a.supported || b.held();
-    b.supported = b.supported || a.held();
-    a.jostled = a.jostled || b.speed_m_s > bodies.sleepSpeed_m_s();
-    b.jostled = b.jostled || a.speed_m_s > bodies.sleepSpeed_m_s();
   }
+  for (Index b = 0; b < bodies.count(); ++b) bodies.body(b).island = root(b);
 }
 
 template <class Real>

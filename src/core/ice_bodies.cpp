@@ -74,31 +74,40 @@ void IceBodies<Real>::limit(IceBody& body) {
   if (limited) limited_.fetch_add(1, std::memory_order_relaxed);
 }
 
+/// Moves a body with the collider that carries it.
 template <class Real>
-void IceBodies<Real>::advance(IceBody& body, const Colliders<Real>& colliders,
-                              const Vec3d& gravity_m_s2) {
-  if (body.anchor != kNone) {
-    const Posed to = motionOf(colliders, body.anchor).to.template cast<double>();
-    const Placement carrier = placementOf(to);
-    body.moveTo({carrier.at(body.hold.centre_m), carrier.rotation * body.hold.rotation});
-    body.velocity_m_s = (body.next.centre_m - body.pose.centre_m) / dt_s_;
-    const Eigen::AngleAxisd turn(body.next.rotation * body.pose.rotation.conjugate());
-    const Vec3d spin = turn.axis() * (turn.angle() / dt_s_);
-    body.angular_momentum = body.next.turn * (body.inertia * (body.next.turn.transpose() * spin));
-  } else if (body.asleep) {
-    body.moveTo(body.pose);
-  } else {
-    body.velocity_m_s += dt_s_ * gravity_m_s2;
-    limit(body);
-    body.moveTo(body.flight(dt_s_));
-  }
+void IceBodies<Real>::follow(IceBody& body, const Colliders<Real>& colliders) const {
+  const Placement carrier =
+      placementOf(motionOf(colliders, body.anchor).to.template cast<double>());
+  body.moveTo({carrier.at(body.hold.centre_m), carrier.rotation * body.hold.rotation});
+  body.velocity_m_s = (body.next.centre_m - body.pose.centre_m) / dt_s_;
+  const Eigen::AngleAxisd turn(body.next.rotation * body.pose.rotation.conjugate());
+  const Vec3d spin = turn.axis() * (turn.angle() / dt_s_);
+  body.angular_momentum = body.next.turn * (body.inertia * (body.next.turn.transpose() * spin));
+}
+
+template <class Real>
+void IceBodies<Real>::fly(IceBody& body) {
+  body.velocity_m_s += dt_s_ * gravity_m_s2_;
+  limit(body);
+  body.moveTo(body.flight(dt_s_));
 }
 
 template <class Real>
 void IceBodies<Real>::predict(Particles<Real>& particles, const Colliders<Real>& colliders,
                               const Vec3d& gravity_m_s2, double dt_s) {
   dt_s_ = dt_s;
-  parallelFor(bodies_.size(), [&](std::size_t b) { advance(bodies_[b], colliders, gravity_m_s2); });
+  gravity_m_s2_ = gravity_m_s2;
+  parallelFor(bodies_.size(), [&](std::size_t b) {
+    IceBody& body = bodies_[b];
+    if (body.anchor != kNone) {
+      follow(body, colliders);
+    } else if (body.asleep) {
+      body.moveTo(body.pose);
+    } else {
+      fly(body);
+    }
+  });
   writePredicted(particles.predicted);
 }
 
@@ -209,21 +218,41 @@ void IceBodies<Real>::anchor(Index b, Index collider, const Colliders<Real>& col
   body.asleep = false;
 }
 
+/// Whether anything of a body touches water.
+template <class Real>
+bool IceBodies<Real>::isWet(const IceBody& body, const std::vector<char>& wet) const {
+  if (wet.empty()) return false;
+  const auto begin = place_.begin();
+  return std::any_of(begin + body.first, begin + body.surface_last,
+                     [&](Index i) { return wet[i] != 0; });
+}
+
+/// Bodies that press on each other sleep together: a sleeper bears no weight on what lies below it.
 template <class Real>
 void IceBodies<Real>::updateSleep(const std::vector<char>& wet, double time_s) {
+  islands_.assign(bodies_.size(), {kStill_s, false});
   parallelFor(bodies_.size(), [&](std::size_t b) {
     IceBody& body = bodies_[b];
     if (body.anchor != kNone) return;
-    bool touches_water = false;
-    for (Index m = body.first; m < body.surface_last && !touches_water && !wet.empty(); ++m) {
-      touches_water = wet[place_[m]];
-    }
-    const bool calm = body.supported && !body.jostled && body.speed_m_s < sleep_speed_m_s_;
-    body.still_s = (body.asleep || calm) && !touches_water ? body.still_s + time_s : 0.0;
-    const bool sleeps = body.still_s >= kStill_s;
-    if (sleeps && !body.asleep) body.stop();
-    body.asleep = sleeps;
+    const bool calm = body.asleep || body.speed_m_s < sleep_speed_m_s_;
+    body.still_s = calm && !isWet(body, wet) ? body.still_s + time_s : 0.0;
+    if (body.still_s == 0.0) body.asleep = false;
   });
+  const auto islandOf = [&](Index b) -> Island& {
+    return islands_[bodies_[b].island < bodies_.size() ? bodies_[b].island : b];
+  };
+  for (Index b = 0; b < bodies_.size(); ++b) {
+    if (bodies_[b].held()) continue;
+    Island& island = islandOf(b);
+    island.still_s = std::min(island.still_s, bodies_[b].still_s);
+    island.supported = island.supported || bodies_[b].supported;
+  }
+  for (Index b = 0; b < bodies_.size(); ++b) {
+    const Island& island = islandOf(b);
+    if (bodies_[b].held() || !island.supported || island.still_s < kStill_s) continue;
+    bodies_[b].asleep = true;
+    bodies_[b].stop();
+  }
 }
 
 template <class Real>
@@ -232,6 +261,13 @@ void IceBodies<Real>::wakeAll() {
     body.asleep = false;
     body.still_s = 0.0;
   }
+}
+
+template <class Real>
+void IceBodies<Real>::wakeInFlight(Index b) {
+  bodies_[b].asleep = false;
+  bodies_[b].still_s = 0.0;
+  fly(bodies_[b]);
 }
 
 template <class Real>

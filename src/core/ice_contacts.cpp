@@ -48,14 +48,19 @@ void IceContacts<Real>::find(IceBodies<Real>& bodies, const VectorField<Real>& p
   faces_.take(colliders);
   if (builds_ != neighbours.builds()) findCandidates(bodies, predicted, neighbours);
   builds_ = neighbours.builds();
-  findPairs(bodies);  // first, as it may wake bodies that then need their walls
   wakeByColliders(bodies);
+  wakeByBodies(bodies);
   findWalls(bodies);
+  for (const Candidate& candidate : candidates_) addPair(bodies, candidate);
   found_.resize(bodies.count());
   for (Index b = 0; b < bodies.count(); ++b) found_[b] = bodies.body(b).next;
   const double ratio = dt_s_ > 0 ? bodies.dt_s() / dt_s_ : 1.0;
   startWarm(walls_, old_walls_, ratio * ratio);
   startWarm(pairs_, old_pairs_, ratio * ratio);
+  startWarm(walls_, dormant_walls_, 1.0);
+  startWarm(pairs_, dormant_pairs_, 1.0);
+  layDown(bodies, old_walls_, dormant_walls_);
+  layDown(bodies, old_pairs_, dormant_pairs_);
   keepSupports(bodies, walls_);
   keepSupports(bodies, pairs_);
   dt_s_ = bodies.dt_s();
@@ -70,8 +75,7 @@ void IceContacts<Real>::followMembers(const IceBodies<Real>& bodies) {
   generation_ = bodies.generation();
   builds_ = 0;
   if (!known) {
-    walls_.clear();
-    pairs_.clear();
+    for (auto* contacts : {&walls_, &pairs_, &dormant_walls_, &dormant_pairs_}) contacts->clear();
     return;
   }
   const auto follow = [&](Index member) {
@@ -87,11 +91,12 @@ void IceContacts<Real>::followMembers(const IceBodies<Real>& bodies) {
       moved.member_b = b;
       const std::uint64_t low = contact.key & 0xffffffffu;
       moved.key = (std::uint64_t(a) << 32) | (b == kNone ? low : b);
+      moved.a = bodies.bodyOfMember(a);
+      if (b != kNone) moved.b = bodies.bodyOfMember(b);
     }
     contacts.resize(kept);
   };
-  update(walls_);
-  update(pairs_);
+  for (auto* contacts : {&walls_, &pairs_, &dormant_walls_, &dormant_pairs_}) update(*contacts);
 }
 
 template <class Real>
@@ -99,17 +104,16 @@ void IceContacts<Real>::wakeByColliders(IceBodies<Real>& bodies) {
   for (std::size_t k = 0; k < faces_.count(); ++k) {
     if (!faces_.moves(k)) continue;
     for (Index b = 0; b < bodies.count(); ++b) {
-      IceBody& body = bodies.body(b);
+      const IceBody& body = bodies.body(b);
       const double reach = body.radius_m + kMargin_d * spacing_m_;
       if (!body.asleep || !faces_.near(k, body.pose.centre_m, body.pose.centre_m, reach)) continue;
-      body.asleep = false;
-      body.still_s = 0.0;
+      bodies.wakeInFlight(b);
     }
   }
 }
 
 template <class Real>
-void IceContacts<Real>::findWalls(IceBodies<Real>& bodies) {
+void IceContacts<Real>::findWalls(const IceBodies<Real>& bodies) {
   const double margin = kMargin_d * spacing_m_;
   std::array<Face, 6> faces;
   for (Index b = 0; b < bodies.count(); ++b) {
@@ -165,9 +169,21 @@ void IceContacts<Real>::findCandidates(const IceBodies<Real>& bodies,
   }
 }
 
+/// Before any contact is made, as one that wakes needs those with all others, sleepers too.
 template <class Real>
-void IceContacts<Real>::findPairs(IceBodies<Real>& bodies) {
-  for (const Candidate& candidate : candidates_) addPair(bodies, candidate);
+void IceContacts<Real>::wakeByBodies(IceBodies<Real>& bodies) {
+  const double reach = contact_m_ + kMargin_d * spacing_m_;
+  for (const Candidate& candidate : candidates_) {
+    Index sleeper = bodies.bodyOfMember(candidate.a), other = bodies.bodyOfMember(candidate.b);
+    if (bodies.body(sleeper).asleep == bodies.body(other).asleep) continue;
+    if (!bodies.body(sleeper).asleep) std::swap(sleeper, other);
+    // The speed before this substep: what rests on a sleeper begins each with a little fall.
+    if (bodies.body(other).speed_m_s <= bodies.sleepSpeed_m_s()) continue;
+    const Vec3d apart =
+        bodies.body(bodies.bodyOfMember(candidate.a)).next.at(bodies.offset(candidate.a)) -
+        bodies.body(bodies.bodyOfMember(candidate.b)).next.at(bodies.offset(candidate.b));
+    if (apart.squaredNorm() < reach * reach) bodies.wakeInFlight(sleeper);
+  }
 }
 
 /// Direction in which member b pushes member a, or zero where they do not touch. Where one of them
@@ -205,10 +221,10 @@ Vec3d IceContacts<Real>::normalBetween(const Vec3d& bare_a, const Vec3d& bare_b,
 }
 
 template <class Real>
-void IceContacts<Real>::addPair(IceBodies<Real>& bodies, const Candidate& candidate) {
+void IceContacts<Real>::addPair(const IceBodies<Real>& bodies, const Candidate& candidate) {
   const Index ka = bodies.bodyOfMember(candidate.a), kb = bodies.bodyOfMember(candidate.b);
-  IceBody& a = bodies.body(ka);
-  IceBody& b = bodies.body(kb);
+  const IceBody& a = bodies.body(ka);
+  const IceBody& b = bodies.body(kb);
   if (a.held() && b.held()) return;
   const Vec3d& qa = bodies.offset(candidate.a);
   const Vec3d& qb = bodies.offset(candidate.b);
@@ -217,13 +233,6 @@ void IceContacts<Real>::addPair(IceBodies<Real>& bodies, const Candidate& candid
   const Vec3d normal = normalBetween(a.next.turn * bodies.outward(candidate.a),
                                      b.next.turn * bodies.outward(candidate.b), now, before);
   if (normal.isZero(0)) return;
-  for (IceBody* one : {&a, &b}) {
-    const IceBody& other = one == &a ? b : a;
-    // The speed before this substep: one that rests on a sleeper begins each with a little fall.
-    if (!one->asleep || other.asleep || other.speed_m_s <= bodies.sleepSpeed_m_s()) continue;
-    one->asleep = false;
-    one->still_s = 0.0;
-  }
   const std::uint64_t key = (std::uint64_t(candidate.a) << 32) | candidate.b;
   pairs_.push_back({key, ka, kb, candidate.a, candidate.b, kNone, normal, Vec3d::Zero(),
                     normal.dot(now) - contact_m_, normal.dot(before) - contact_m_, friction_});
@@ -241,6 +250,23 @@ void IceContacts<Real>::startWarm(std::vector<Contact>& contacts,
     contact.pressed = ratio * before[k].pressed;
     contact.rubbed = ratio * before[k].rubbed;
   }
+}
+
+/// Keeps the loads of what sleeps, so that it can wake without being set down anew.
+template <class Real>
+void IceContacts<Real>::layDown(const IceBodies<Real>& bodies, const std::vector<Contact>& before,
+                                std::vector<Contact>& dormant) {
+  const auto awake = [&](const Contact& contact) {
+    return !bodies.body(contact.a).held() || (contact.b != kNone && !bodies.body(contact.b).held());
+  };
+  dormant.erase(std::remove_if(dormant.begin(), dormant.end(), awake), dormant.end());
+  const std::size_t slept = dormant.size();
+  for (const Contact& contact : before) {
+    if (contact.pressed > 0 && !awake(contact)) dormant.push_back(contact);
+  }
+  if (dormant.size() == slept) return;
+  std::sort(dormant.begin(), dormant.end(),
+            [](const Contact& a, const Contact& b) { return a.key < b.key; });
 }
 
 template <class Real>
@@ -313,8 +339,9 @@ void IceContacts<Real>::putBack(IceBodies<Real>& bodies, Index b) {
 
 template <class Real>
 std::size_t IceContacts<Real>::bytes() const {
-  const std::size_t contacts =
-      walls_.capacity() + pairs_.capacity() + old_walls_.capacity() + old_pairs_.capacity();
+  const std::size_t contacts = walls_.capacity() + pairs_.capacity() + old_walls_.capacity() +
+                               old_pairs_.capacity() + dormant_walls_.capacity() +
+                               dormant_pairs_.capacity();
   return contacts * sizeof(Contact) + rows_.capacity() * sizeof(Rows) +
          moves_.capacity() * sizeof(Move) + found_.capacity() * sizeof(Placement) +
          candidates_.capacity() * sizeof(Candidate) +

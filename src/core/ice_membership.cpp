@@ -76,6 +76,7 @@ void IceBodies<Real>::keepBodies() {
     if (!stays_[b]) continue;
     const IceBody& old = old_bodies_[b];
     IceBody body = old;
+    body.island = kNone;
     body.first = static_cast<Index>(place_.size());
     body.last = body.first + static_cast<Index>(old.count());
     body.surface_last = body.first + (old.surface_last - old.first);
@@ -290,7 +291,7 @@ std::size_t IceBodies<Real>::bytes() const {
   return (bodies_.capacity() + old_bodies_.capacity()) * sizeof(IceBody) + vectors * sizeof(Vec3d) +
          indices * sizeof(Index) + chunks_.capacity() * sizeof(Chunk) +
          moments_.capacity() * sizeof(Moment) + groups_.capacity() * sizeof(Group) +
-         at_surface_.capacity() + stays_.capacity();
+         islands_.capacity() * sizeof(Island) + at_surface_.capacity() + stays_.capacity();
 }
 
 template class IceBodies<float>;

@@ -164,6 +164,56 @@ TYPED_TEST(IceContactsTest, AStackRestsAndWakesTogether) {
   EXPECT_FALSE(rig.body(1).asleep);
 }
 
+TYPED_TEST(IceContactsTest, ALeaningPairSleepsAsOneOrNotAtAll) {
+  // A brick on another: had the upper one slept first, its weight would be off the lower one.
+  Scene scene = onGround(0.3);
+  const double gap_m = kSpacing_m / std::cbrt(scene.ice.density_ratio);
+  IceRig<TypeParam> rig(scene, {brick({4, 4, 2}, kSpacing_m, {0, 0, kSpacing_m}),
+                                brick({4, 4, 2}, kSpacing_m, {0.05, 0, 2 * kSpacing_m + gap_m})});
+  std::size_t asleep = 0;
+  for (int k = 0; k < 720; ++k) {
+    rig.substep(1.0 / 360);
+    asleep = rig.bodies.asleep();
+    ASSERT_NE(asleep, 1u);
+  }
+  EXPECT_EQ(asleep, 2u);
+}
+
+TYPED_TEST(IceContactsTest, FacesLieOnEachOtherWhereverTheirLatticesAre) {
+  for (const double shift : {0.0, 0.25, 0.5}) {
+    Scene scene = onGround(0.3);
+    const double gap_m = kSpacing_m / std::cbrt(scene.ice.density_ratio);
+    const Vec3d above(shift * kSpacing_m, shift * kSpacing_m, 2 * kSpacing_m + gap_m);
+    IceRig<TypeParam> rig(scene, {brick({6, 6, 2}, kSpacing_m, {0, 0, kSpacing_m}),
+                                  brick({4, 4, 2}, kSpacing_m, above)});
+    rig.run(1.5);
+    EXPECT_NEAR(rig.body(1).pose.centre_m.z(), 2 * kSpacing_m + gap_m, 1e-3 * kSpacing_m) << shift;
+    EXPECT_LT(rig.fastest(), 1e-4);
+  }
+}
+
+TYPED_TEST(IceContactsTest, IceSlidesOnIceByItsFrictionNotByItsParticles) {
+  Scene scene = iceScene(0.1);
+  Plane ground;
+  ground.name = "ground";
+  ground.friction = 10;
+  ground.rpy_deg = {0, 12, 0};
+  scene.planes.push_back(ground);
+  scene.ice.sleep_speed_m_s = 0;
+  const double gap_m = kSpacing_m / std::cbrt(scene.ice.density_ratio);
+  const Posed slope = poseOf(Vec3d::Zero(), {0, 12, 0});
+  const auto on = [&](const Vec3d& size, double x, double z) {
+    return brick(size, kSpacing_m, slope.toWorld({x, 0, z}), {0, 12, 0});
+  };
+  IceRig<TypeParam> rig(
+      scene, {on({24, 8, 2}, 0.2, kSpacing_m), on({4, 4, 2}, -0.1, 2 * kSpacing_m + gap_m)});
+  rig.run(0.75);
+  const double angle = 12 * M_PI / 180;
+  const double ideal = 0.75 * 9.81 * (std::sin(angle) - 0.1 * std::cos(angle));
+  EXPECT_NEAR(rig.body(1).velocity_m_s.norm(), ideal, 0.03 * ideal);
+  EXPECT_LT(rig.body(0).velocity_m_s.norm(), 1e-3);
+}
+
 TYPED_TEST(IceContactsTest, WhatHitsASleeperWakesIt) {
   Scene scene = onGround(0.3);
   IceRig<TypeParam> rig(scene, {brick({3, 3, 3}, kSpacing_m, {0, 0, 0.075}),
