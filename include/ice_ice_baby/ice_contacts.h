@@ -106,11 +106,14 @@ class IceContacts {
   void levelMomenta(IceBodies<Real>& bodies);
   double movedSinceFound(const IceBody& body, Index b) const;
   bool deepInside(const IceBodies<Real>& bodies, const Contact& contact) const;
+  void markOut(Index b, Index collider);
+  void checkAll(const IceBodies<Real>& bodies, Index b);
   void putBack(IceBodies<Real>& bodies, Index b);
 
   double spacing_m_;
   double contact_m_;  ///< distance that members of two bodies keep
   double friction_;   ///< of ice on ice
+  double margin_m_;   ///< what is so near is a contact before it is touched
   ColliderFaces faces_;
   std::vector<Contact> walls_, pairs_;
   std::vector<Contact> old_walls_, old_pairs_;

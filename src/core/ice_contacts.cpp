@@ -8,16 +8,13 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Faces so near a member are contacts before they are touched, so that what a turn brings down is
-/// held within the same substep; in spacings.
+/// Faces so near a member, in spacings, are contacts before they are touched, so that what a turn
+/// brings down is held within the same substep.
 constexpr double kMargin_d = 0.1;
 
 /// No two members come nearer to each other than by this before the lists are built again: the skin
 /// of the lists, in spacings.
 constexpr double kApproach_d = 0.3;
-
-/// Deeper than this, in spacings, a member would soon be on the other side of a wall.
-constexpr double kDeep_d = 0.4;
 
 /// A member that lies this much less bare than the other has the flatter surroundings of the two.
 constexpr double kFlatter = 0.8;
@@ -35,7 +32,8 @@ template <class Real>
 IceContacts<Real>::IceContacts(const Scene& scene)
     : spacing_m_(scene.fluid.spacing_m),
       contact_m_(scene.fluid.spacing_m / std::cbrt(scene.ice.density_ratio)),
-      friction_(scene.ice.friction) {}
+      friction_(scene.ice.friction),
+      margin_m_(kMargin_d * spacing_m_) {}
 
 template <class Real>
 void IceContacts<Real>::find(IceBodies<Real>& bodies, const VectorField<Real>& predicted,
@@ -105,7 +103,7 @@ void IceContacts<Real>::wakeByColliders(IceBodies<Real>& bodies) {
     if (!faces_.moves(k)) continue;
     for (Index b = 0; b < bodies.count(); ++b) {
       const IceBody& body = bodies.body(b);
-      const double reach = body.radius_m + kMargin_d * spacing_m_;
+      const double reach = body.radius_m + margin_m_;
       if (!body.asleep || !faces_.near(k, body.pose.centre_m, body.pose.centre_m, reach)) continue;
       bodies.wakeInFlight(b);
     }
@@ -114,14 +112,13 @@ void IceContacts<Real>::wakeByColliders(IceBodies<Real>& bodies) {
 
 template <class Real>
 void IceContacts<Real>::findWalls(const IceBodies<Real>& bodies) {
-  const double margin = kMargin_d * spacing_m_;
   std::array<Face, 6> faces;
   for (Index b = 0; b < bodies.count(); ++b) {
     const IceBody& body = bodies.body(b);
     if (body.held()) continue;
     near_.clear();
     for (std::size_t k = 0; k < faces_.count(); ++k) {
-      const double reach = body.radius_m + margin;
+      const double reach = body.radius_m + margin_m_;
       if (faces_.near(k, body.pose.centre_m, body.next.centre_m, reach)) {
         near_.push_back(static_cast<Index>(k));
       }
@@ -130,7 +127,7 @@ void IceContacts<Real>::findWalls(const IceBodies<Real>& bodies) {
     for (Index m = body.first; m < body.surface_last; ++m) {
       const Vec3d from = body.pose.at(bodies.offset(m)), to = body.next.at(bodies.offset(m));
       for (const Index k : near_) {
-        const std::size_t count = faces_.find(k, from, to, margin, faces);
+        const std::size_t count = faces_.find(k, from, to, margin_m_, faces);
         for (std::size_t f = 0; f < count; ++f) {
           const std::uint64_t key = (std::uint64_t(m) << 32) | (k * 8 + faces[f].number);
           walls_.push_back({key, b, kNone, m, kNone, k, faces[f].normal, faces[f].point,
@@ -147,8 +144,7 @@ void IceContacts<Real>::findCandidates(const IceBodies<Real>& bodies,
                                        const Neighbours<Real>& neighbours) {
   candidates_.clear();
   if (bodies.count() < 2) return;
-  const double reach =
-      std::hypot(1.0, kBeside) * contact_m_ + (kMargin_d + kApproach_d) * spacing_m_;
+  const double reach = std::hypot(1.0, kBeside) * contact_m_ + margin_m_ + kApproach_d * spacing_m_;
   const Real reach2 = static_cast<Real>(reach * reach);
   for (Index b = 0; b < bodies.count(); ++b) {
     const IceBody& body = bodies.body(b);
@@ -172,7 +168,7 @@ void IceContacts<Real>::findCandidates(const IceBodies<Real>& bodies,
 /// Before any contact is made, as one that wakes needs those with all others, sleepers too.
 template <class Real>
 void IceContacts<Real>::wakeByBodies(IceBodies<Real>& bodies) {
-  const double reach = contact_m_ + kMargin_d * spacing_m_;
+  const double reach = contact_m_ + margin_m_;
   for (const Candidate& candidate : candidates_) {
     Index sleeper = bodies.bodyOfMember(candidate.a), other = bodies.bodyOfMember(candidate.b);
     if (bodies.body(sleeper).asleep == bodies.body(other).asleep) continue;
@@ -194,7 +190,6 @@ void IceContacts<Real>::wakeByBodies(IceBodies<Real>& bodies) {
 template <class Real>
 Vec3d IceContacts<Real>::normalBetween(const Vec3d& bare_a, const Vec3d& bare_b, const Vec3d& now,
                                        const Vec3d& before) const {
-  const double margin = kMargin_d * spacing_m_;
   const double a = bare_a.norm(), b = bare_b.norm();
   Vec3d face = Vec3d::Zero();
   if (b > 0 && b < kFlatter * a) {
@@ -210,9 +205,10 @@ Vec3d IceContacts<Real>::normalBetween(const Vec3d& bare_a, const Vec3d& bare_b,
     const double height = face.dot(now);
     const double beside = kBeside * contact_m_;
     const bool above = (now - height * face).squaredNorm() < beside * beside;
-    if (above && face.dot(before) > 0) return height < contact_m_ + margin ? face : Vec3d::Zero();
+    if (above && face.dot(before) > 0)
+      return height < contact_m_ + margin_m_ ? face : Vec3d::Zero();
   }
-  const double reach = contact_m_ + margin;
+  const double reach = contact_m_ + margin_m_;
   if (now.squaredNorm() >= reach * reach) return Vec3d::Zero();
   // Members that passed through each other part the way they came.
   const Vec3d line = now.dot(before) > 0 ? now : before;
@@ -267,74 +263,6 @@ void IceContacts<Real>::layDown(const IceBodies<Real>& bodies, const std::vector
   if (dormant.size() == slept) return;
   std::sort(dormant.begin(), dormant.end(),
             [](const Contact& a, const Contact& b) { return a.key < b.key; });
-}
-
-template <class Real>
-bool IceContacts<Real>::deepInside(const IceBodies<Real>& bodies, const Contact& contact) const {
-  const Vec3d x = bodies.body(contact.a).next.at(bodies.offset(contact.member_a));
-  const double gap = contact.normal.dot(x - contact.point);
-  // What began deep may stay as it is, but not go deeper.
-  return !(gap > -kDeep_d * spacing_m_ || gap > contact.before_m - 1e-3 * spacing_m_);
-}
-
-/// Bound on how far any member went since contacts were found; those without a contact were further
-/// than the margin from every face.
-template <class Real>
-double IceContacts<Real>::movedSinceFound(const IceBody& body, Index b) const {
-  return (body.next.centre_m - found_[b].centre_m).norm() +
-         (body.next.turn - found_[b].turn).norm() * body.radius_m;
-}
-
-template <class Real>
-void IceContacts<Real>::contain(IceBodies<Real>& bodies, VectorField<Real>& predicted) {
-  out_.assign(bodies.count(), 0);
-  carrier_.assign(bodies.count(), kNone);
-  const auto mark = [&](Index b, Index collider) {
-    out_[b] = 1;
-    // A container has the last word, as it has for water.
-    const bool first = carrier_[b] == kNone || !faces_.isContainer(carrier_[b]);
-    if (collider != kNone && faces_.moves(collider) && first) carrier_[b] = collider;
-  };
-  for (const Contact& contact : walls_) {
-    if (deepInside(bodies, contact)) mark(contact.a, contact.collider);
-  }
-  const double deep = kDeep_d * spacing_m_;
-  for (Index b = 0; b < bodies.count(); ++b) {
-    const IceBody& body = bodies.body(b);
-    if (body.held()) continue;
-    if (!body.next.allFinite()) mark(b, kNone);
-    if (movedSinceFound(body, b) < deep + kMargin_d * spacing_m_) continue;
-    for (std::size_t k = 0; k < faces_.count() && !out_[b]; ++k) {
-      const double reach = body.radius_m + deep;
-      if (!faces_.near(k, body.pose.centre_m, body.next.centre_m, reach)) continue;
-      for (Index m = body.first; m < body.surface_last; ++m) {
-        const Vec3d from = body.pose.at(bodies.offset(m)), to = body.next.at(bodies.offset(m));
-        if (faces_.push(k, from, to).squaredNorm() > deep * deep) mark(b, static_cast<Index>(k));
-      }
-    }
-  }
-  bool any = false;
-  for (Index b = 0; b < bodies.count(); ++b) {
-    if (!out_[b]) continue;
-    putBack(bodies, b);
-    any = true;
-  }
-  if (any) bodies.writePredicted(predicted, false);
-}
-
-template <class Real>
-void IceContacts<Real>::putBack(IceBodies<Real>& bodies, Index b) {
-  IceBody& body = bodies.body(b);
-  Placement place = body.pose;
-  if (carrier_[b] != kNone) {
-    const Motion<double>& motion = faces_.motion(carrier_[b]);
-    const Mat3<double> turn = motion.to.rotation * motion.from.rotation.transpose();
-    place = {motion.to.toWorld(motion.from.toLocal(body.pose.centre_m)),
-             Eigen::Quaterniond(turn) * body.pose.rotation};
-  }
-  body.moveTo(place);
-  body.stop();
-  ++limited_;
 }
 
 template <class Real>
