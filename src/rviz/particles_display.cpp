@@ -30,14 +30,18 @@ ParticlesDisplay::ParticlesDisplay()
   size_m_->setMin(0.0001F);
 }
 
-ParticlesDisplay::~ParticlesDisplay() = default;
+ParticlesDisplay::~ParticlesDisplay() {
+  for (auto& cloud : clouds_) cloud.reset();
+  if (scene_node_ != nullptr) scene_node_->removeAndDestroyAllChildren();
+}
 
 void ParticlesDisplay::onInitialize() {
   MFDClass::onInitialize();
   for (auto& cloud : clouds_) {
     cloud = std::make_unique<rviz::PointCloud>();
     cloud->setRenderMode(rviz::PointCloud::RM_SPHERES);
-    scene_node_->attachObject(cloud.get());
+    // A node each, because rviz gives clouds no names and a node takes only one without.
+    scene_node_->createChildSceneNode()->attachObject(cloud.get());
   }
   restyle();
 }
