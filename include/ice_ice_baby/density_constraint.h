@@ -6,16 +6,20 @@
 #include "ice_ice_baby/neighbours.h"
 #include "ice_ice_baby/pair_passes.h"
 #include "ice_ice_baby/particles.h"
+#include "ice_ice_baby/phases.h"
 #include "ice_ice_baby/wall_density.h"
 
 namespace ice_ice_baby {
 
-/// Volumes stand for masses: with V = m / rho_0, C_i = V sum_j W_ij + walls - 1.
+/// Volumes stand for masses: with V = m / rho_0, C_i = V sum_j W_ij + walls - 1. In a mixture V is
+/// that of each neighbour; ice and steam have no constraint of their own, and steam no volume.
 template <class Real>
 class DensityConstraint {
  public:
   /// @param walls density of colliders, or null where the scene has none or leaves it out
-  DensityConstraint(const Scene& scene, const WallDensity<Real>* walls);
+  /// @param phases what is water, ice and steam, or null where all is water
+  DensityConstraint(const Scene& scene, const WallDensity<Real>* walls,
+                    const Phases<Real>* phases = nullptr);
 
   /// Begins a substep: moves x* by the share `solver.warm_start` of what the latest one corrected,
   /// so that the iterations only have to find the change.
@@ -50,13 +54,16 @@ class DensityConstraint {
 
  private:
   void resize(std::size_t n);
-  void addWalls(const VectorField<Real>& x, std::size_t first, std::size_t last);
+  void addWalls(const VectorField<Real>& x, ParticleRange range);
   void finishLambda(std::size_t i);
+  void skipLambda(std::size_t i);
   void finishDeltaP(std::size_t i);
 
   const WallDensity<Real>* walls_;
+  const Phases<Real>* phases_;
   PairPasses<Real> passes_;
   Real support_;         ///< h, m
+  Real ice_density_;     ///< over that of water
   Real weight_scale_;    ///< V W(0): density of a sum of 1
   Real gradient_scale_;  ///< V W'(h/2) / (h/2), 1/m^2: gradient of a sum of 1 m
   Real self_;            ///< density a particle adds to its own

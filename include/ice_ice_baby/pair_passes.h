@@ -42,6 +42,7 @@ struct PairInput {
   Real support;           ///< h, m
   /// (n) volume over that of water; null where all particles are water.
   const Real* shares = nullptr;
+  Real shear = 0;  ///< of a mixture: see mixturePairPasses
 };
 
 /// In the fourth column of the values of a mixture: two of these take no part in each other's
@@ -76,7 +77,8 @@ PairPasses<Real> pairPasses(KernelPair kernel);
 ///   positions;
 /// - sumCorrections sums (lambda_i share_j + lambda_j share_i) s (x_i - x_j), the gradient of that;
 /// - addDifferences weighs a pair with the lesser of both fourth columns of the values, unless both
-///   are kRigidGrip.
+///   are kRigidGrip. What that is above `shear` acts along the line between the two only, which
+///   keeps angular momentum.
 template <class Real>
 PairPasses<Real> mixturePairPasses(KernelPair kernel);
 

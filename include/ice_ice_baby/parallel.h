@@ -10,11 +10,11 @@ namespace ice_ice_baby {
 
 /// Calls body(first, last) for ranges that cover 0 ... count - 1. Each call writes only what
 /// belongs to its own range, so the result does not depend on the number of threads.
+/// @param grain ranges of more than that many are split
 template <class Body>
-void parallelForRanges(std::size_t count, const Body& body) {
-  constexpr std::size_t kGrain = 256;
+void parallelForRanges(std::size_t count, const Body& body, std::size_t grain = 256) {
   tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, count, kGrain),
+      tbb::blocked_range<std::size_t>(0, count, grain),
       [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
 }
 

@@ -225,7 +225,7 @@ void describe(IceParams& p, Visitor&& visit) {
 struct SteamParams {
   double rise_speed_m_s = 0.5;
   double drag_1_s = 10.0;
-  double transfer_w_m2k = 100.0;
+  double transfer_w_m2k = 10.0;
   double condensation_w_m2k = 5000.0;
 };
 

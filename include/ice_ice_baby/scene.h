@@ -24,6 +24,8 @@ struct Block {
   Vec3d spin_rad_s = Vec3d::Zero();
   double celsius = 20.0;  ///< below freezing it starts as one body of ice; only with heat
   bool sheet = false;
+  Vec3d copies = Vec3d::Ones();         ///< along x, y, z; the reader makes blocks of them
+  Vec3d copies_step_m = Vec3d::Zero();  ///< from one copy to the next
 
   Vec3d centre_m() const { return (min_m + max_m) / 2; }
 
@@ -104,6 +106,10 @@ struct Scene {
   double supportRadius_m() const;
   /// Substeps of a frame in force, of the first one where a target error is followed.
   int substeps() const;
+  /// Whether a block starts as ice: with heat, colder than where water freezes.
+  bool startsFrozen(const Block& block) const;
+  /// Spacing of the lattice of a block in m: that of ice where it starts frozen.
+  double spacing_m(const Block& block) const;
   /// Factor on lambda in force, with 0 resolved: doc/algorithm.md derives it.
   double relaxation() const;
 };

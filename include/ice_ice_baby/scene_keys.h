@@ -28,6 +28,10 @@ void describe(Block& b, Visitor&& visit) {
         "temperature at the start, with heat.enabled: below heat.freezing_c a body of ice");
   visit("sheet", b.sheet,
         "one layer of particles joined by springs that bend, neither stretch nor melt");
+  visit("copies", b.copies, Range{1.0, 1000.0},
+        "how many of this block stand along x, y, z: whole numbers, at most 1000 together");
+  visit("copies_step_m", b.copies_step_m, kCoordinateRange_m,
+        "distance along each axis from one copy to the next");
 }
 
 template <class Visitor>

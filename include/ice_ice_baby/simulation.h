@@ -52,13 +52,16 @@ struct StepReport {
   double frame_wall_s = 0.0;        ///< time that the frame took to compute
 };
 
+/// Density of steam over that of water at 100 degrees C and 1 bar: what tells it in a sample.
+constexpr float kSteamDensity = 6e-4f;
+
 /// One particle as the outside sees it.
 struct ParticleSample {
   float x, y, z;     ///< m
   float vx, vy, vz;  ///< m/s
   float temperature_c;
   float ice_fraction;  ///< 0 water ... 1 ice
-  float density;       ///< relative to rest density, the solver's own kernel
+  float density;       ///< relative to rest density, the solver's own kernel; steam: kSteamDensity
   float pressure_pa;   ///< what the solver's corrections amount to in the latest substep
   std::uint32_t id;
 };
@@ -131,7 +134,7 @@ class Simulation {
   /// Stages that this scene holds now, in the order of Algorithm 1.
   virtual std::vector<StageStats> stages() const = 0;
 
-  /// Hash of the bits of every position and velocity, in id order.
+  /// Hash of the bits of every position and velocity, with heat of every enthalpy, in id order.
   virtual std::uint64_t stateHash() const = 0;
 };
 

@@ -9,11 +9,16 @@
 
 #include "ice_ice_baby/colliders.h"
 #include "ice_ice_baby/density_constraint.h"
+#include "ice_ice_baby/heat.h"
+#include "ice_ice_baby/ice_bodies.h"
+#include "ice_ice_baby/ice_contacts.h"
 #include "ice_ice_baby/neighbours.h"
 #include "ice_ice_baby/particles.h"
+#include "ice_ice_baby/phases.h"
 #include "ice_ice_baby/simulation.h"
 #include "ice_ice_baby/springs.h"
 #include "ice_ice_baby/stage_clock.h"
+#include "ice_ice_baby/steam.h"
 #include "ice_ice_baby/temperature.h"
 #include "ice_ice_baby/viscosity.h"
 #include "ice_ice_baby/wall_density.h"
@@ -49,22 +54,35 @@ class Simulator final : public Simulation {
  private:
   void runSubsteps();
   void substep(double dt_s);
+  void predict(double dt_s);
   void applyForcesAndPredict(Real dt);
+  void predictSteamAndIce(double dt_s);
   void findNeighbours();
   void separateCoincident();
   void makeSprings();
-  void correctSprings(double dt_s);
+  void correctSprings(double dt_s, int iteration);
   void respondToCollisions();
   void updatePredicted();
   void finishCollisions();
   void updateVelocityAndPosition(Real dt);
+  void findContacts();
+  void moveBodies();
+  void applyViscosity(double dt_s);
   void updateTemperature(double time_s);
   void updateReport();
   void followTargetError();
   void updateSleep();
   void wake();
   void joinSheets();
+  void advanceHeat();
+  void updatePhases(double dt_s);
+  void updateIce();
+  void stickToColdWalls();
+  void reportHeat();
   bool frozen() const { return strictness_ >= 1.0; }
+  bool inBody(std::size_t i) const { return bodies_ && bodies_->memberAt(Index(i)) != kNone; }
+  bool rigidIce() const { return heat_ && scene_.ice.compliance_m_n == 0.0; }
+  bool springsCorrect() const { return springs_ && !rigidIce(); }
   bool sticks() const { return frozen() && scene_.springs.stick_to_colliders; }
 
   Scene scene_;
@@ -79,26 +97,38 @@ class Simulator final : public Simulation {
   std::optional<DensityConstraint<Real>> density_;
   std::optional<Springs<Real>> springs_;
   std::optional<Viscosity<Real>> viscosity_;
+  std::optional<Heat<Real>> heat_;
+  std::optional<Phases<Real>> phases_;                ///< with heat
+  std::optional<IceBodies<Real>> bodies_;             ///< while there is rigid ice
+  std::optional<IceContacts<Real>> contacts_;         ///< of those
+  std::optional<Steam<Real>> steam_;                  ///< while there is steam
   std::optional<WallDensity<Real>> yardstick_walls_;  ///< of measureDensityError, once it is asked
 
-  std::vector<char> aside_;  ///< (n) scratch of separateCoincident
+  std::vector<char> aside_;         ///< (n) scratch of separateCoincident
+  std::vector<Index> body_labels_;  ///< (n) scratch of updateIce
 
   StageClock predict_clock_{"predict"};
   StageClock neighbours_clock_{"neighbours"};
   StageClock make_springs_clock_{"make_springs"};
+  StageClock contacts_clock_{"ice_contacts"};
   StageClock lambda_clock_{"lambda"};
   StageClock delta_p_clock_{"delta_p"};
   StageClock collide_clock_{"collide"};
   StageClock correct_springs_clock_{"correct_springs"};
   StageClock position_clock_{"position"};
+  StageClock bodies_clock_{"ice_bodies"};
   StageClock velocity_clock_{"velocity"};
   StageClock viscosity_clock_{"viscosity"};
+  StageClock heat_clock_{"heat"};
+  StageClock phases_clock_{"phases"};
   StageClock report_clock_{"report"};
 
   StepReport report_;
   int substeps_;  ///< of the frame that comes next
   double strictness_ = 0.0;
-  double still_s_ = 0.0;  ///< for how long frozen water has been slower than the sleep speed
+  double heat_due_s_ = 0.0;    ///< simulated time that heat has yet to follow
+  double phases_due_s_ = 0.0;  ///< since phases last followed heat
+  double still_s_ = 0.0;       ///< for how long frozen water has been slower than the sleep speed
   bool colliders_moving_ = false;
 };
 

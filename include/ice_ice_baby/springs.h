@@ -6,6 +6,7 @@
 
 #include "ice_ice_baby/neighbours.h"
 #include "ice_ice_baby/particles.h"
+#include "ice_ice_baby/phases.h"
 
 namespace ice_ice_baby {
 
@@ -51,8 +52,30 @@ class Springs {
   /// Removes what make() made.
   void melt();
 
+  /// Joins every particle that has just frozen to the ice up to `reach_m` around it, at rest as it
+  /// lies now.
+  /// @param apart spawns that are not joined to each other; null: all ice joins
+  void freeze(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
+              const Phases<Real>& phases, Real reach_m, const std::vector<Spawn>* apart = nullptr);
+
+  /// Removes the springs that have an end in what is no ice any more; those of sheets stay.
+  void breakMelted(const Phases<Real>& phases);
+
+  /// Numbers the bodies that ice makes: particles that a chain of springs joins carry the same
+  /// label, the least of their places, kNone those of what belongs to none.
+  void labelBodies(const Phases<Real>& phases, std::vector<Index>& labels) const;
+
   /// Corrects x* along each spring in turn, half to each end (Algorithm 1).
   void correct(VectorField<Real>& predicted, double strictness, double dt_s) const;
+
+  /// The same for elastic ice: a spring stretched by c pulls with c / compliance newtons (XPBD,
+  /// Macklin et al. 2016), however many iterations and substeps there are.
+  /// @param begins whether this is the first iteration of a substep
+  void correctElastic(VectorField<Real>& predicted, double compliance_m_n, double particle_kg,
+                      double dt_s, bool begins);
+
+  /// Removes the springs of ice that are stretched by more than `strain` of their rest length.
+  void breakStretched(const VectorField<Real>& position, double strain);
 
   /// Follows a sort of the particles: place k now holds what was at order[k].
   void renumber(const std::vector<Index>& order);
@@ -71,7 +94,8 @@ class Springs {
   std::vector<Spring<Real>> springs_;  ///< those of sheets first
   std::size_t sheet_count_ = 0;
   bool kept_ = false;
-  std::vector<Index> place_of_;  ///< scratch of renumber
+  std::vector<Real> multipliers_;  ///< (springs) kg m, of a substep; empty unless elastic
+  std::vector<Index> place_of_;    ///< scratch of renumber
 };
 
 }  // namespace ice_ice_baby

@@ -22,6 +22,9 @@ using Vec3d = Vec3<double>;
 /// Index of a particle in the cell-sorted state arrays; changes whenever the particles are sorted.
 using Index = std::uint32_t;
 
+/// No particle, body or collider.
+constexpr Index kNone = ~Index(0);
+
 /// Pose of a body in the scene frame: a point p of the body is at `position + rotation * p`.
 template <class Real>
 struct Pose {

@@ -5,6 +5,7 @@
 #include "ice_ice_baby/neighbours.h"
 #include "ice_ice_baby/pair_passes.h"
 #include "ice_ice_baby/particles.h"
+#include "ice_ice_baby/phases.h"
 
 namespace ice_ice_baby {
 
@@ -12,21 +13,29 @@ template <class Real>
 class Viscosity {
  public:
   /// @param volume_m3 m / rho_0; the factor that makes the coefficient independent of scale
-  Viscosity(const Scene& scene, double volume_m3);
+  /// @param phases what is water, ice and steam, or null where all is water
+  Viscosity(const Scene& scene, double volume_m3, const Phases<Real>* phases = nullptr);
 
   /// v_i += c sum_j V (v_j - v_i) W_ij, with c = 1 - exp(-rate dt), so that the viscosity does not
-  /// depend on the number of substeps. Conserves momentum.
+  /// depend on the number of substeps. Conserves momentum. In a mixture c rises to 1/2 with the ice
+  /// fraction of both, what is beyond that of water along the line between them only, so that slush
+  /// stiffens before it freezes and keeps its angular momentum. Two particles of ice have none, nor
+  /// has steam.
   /// @param scratch for the positions: any rows whose values nobody needs any more
   void apply(Particles<Real>& particles, const Neighbours<Real>& neighbours, double dt_s,
              PackedRows<Real>& scratch);
 
-  std::size_t bytes() const { return velocities_.bytes(); }
+  std::size_t bytes() const { return velocities_.bytes() + grip_.capacity() * sizeof(Real); }
 
  private:
+  void packMixture(const Particles<Real>& particles, Real share);
+
   CubicSpline<Real> kernel_;
   Real volume_;
   double rate_1_s_;
+  const Phases<Real>* phases_;
   PairPasses<Real> passes_;
+  std::vector<Real> grip_;       ///< (n) c of a particle; only in a mixture
   PackedRows<Real> velocities_;  ///< (n, 4) m/s, so that no particle reads what another wrote
 };
 

@@ -8,12 +8,13 @@
 #pragma once
 
 #include <array>
-#include <utility>
 #include <vector>
 
 #include "ice_ice_baby/clearance.h"
 #include "ice_ice_baby/colliders.h"
+#include "ice_ice_baby/distance_table.h"
 #include "ice_ice_baby/kernels.h"
+#include "ice_ice_baby/near_walls.h"
 
 namespace ice_ice_baby {
 
@@ -44,13 +45,6 @@ class WallDensity {
   std::size_t bytes() const;
 
  private:
-  /// Function of the distance to a surface, tabulated from 0 to h, 0 beyond.
-  struct Table {
-    std::vector<Real> values;
-    Real per_m = 0;
-    /// Value and slope at a distance, which counts as 0 when negative.
-    std::pair<Real, Real> at(Real distance) const;
-  };
   /// What two walls at right angles share, over the distances to both, bilinear.
   struct EdgeTable {
     std::vector<Real> values;
@@ -60,26 +54,15 @@ class WallDensity {
     };
     Sample at(Real a, Real b) const;
   };
-  /// A wall of a box near a point: its axis, the distance to it, the sign of its inward normal.
-  struct NearWall {
-    int axis;
-    Real distance;
-    Real sign;
-  };
-
-  Table halfSpace() const;
-  Table ball(Real radius) const;
-  template <class Function>
-  Table tabulate(const Function& function) const;
-
+  DistanceTable<Real> halfSpace() const;
+  DistanceTable<Real> ball(Real radius) const;
   EdgeTable edge() const;
   std::vector<Real> corner() const;
   double ghosts(const std::array<double, 3>& distances, int walls) const;
-  WallSample<Real> inBox(const NearWall* walls, int count) const;
-  void addCorner(const std::array<NearWall, 3>& walls, WallSample<Real>& sample) const;
+  WallSample<Real> inBox(const NearWalls<Real>& near) const;
+  void addCorner(const std::array<NearWall<Real>, 3>& walls, WallSample<Real>& sample) const;
   void addContainer(const Body<Real, ContainerShape<Real>>& body, const Vec3<Real>& point,
                     WallSample<Real>& sample) const;
-  bool hidden(const Vec3<Real>& point, const Vec3<Real>& nearest) const;
   void addPlane(const Body<Real, PlaneShape<Real>>& body, const Vec3<Real>& point,
                 WallSample<Real>& sample) const;
 
@@ -89,10 +72,10 @@ class WallDensity {
   double spacing_;
   double volume_;
   Real radius_;
-  Table plane_;
+  DistanceTable<Real> plane_;
   EdgeTable edge_;
   std::vector<Real> corner_;  ///< what three walls share, over the distances to all
-  std::vector<Table> spheres_;
+  std::vector<DistanceTable<Real>> spheres_;
 };
 
 }  // namespace ice_ice_baby

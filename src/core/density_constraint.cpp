@@ -5,16 +5,41 @@
 
 #include "ice_ice_baby/kernels.h"
 #include "ice_ice_baby/parallel.h"
+#include "ice_ice_baby/simulation.h"
 
 namespace ice_ice_baby {
 
+namespace {
+
+/// Calls visit(run) for the longest runs of particles that are wanted, and leave_out(i) for each
+/// of the others.
+/// @param wanted (n), null: all
+template <class Visit, class LeaveOut>
+void forEachRun(ParticleRange range, const std::vector<std::uint8_t>* wanted, const Visit& visit,
+                const LeaveOut& leave_out) {
+  if (!wanted) return visit(range);
+  for (std::size_t i = range.first; i < range.last;) {
+    const std::size_t first = i;
+    while (i < range.last && (*wanted)[i]) ++i;
+    if (i > first) visit(ParticleRange{first, i});
+    for (; i < range.last && !(*wanted)[i]; ++i) leave_out(i);
+  }
+}
+
+}  // namespace
+
 template <class Real>
-DensityConstraint<Real>::DensityConstraint(const Scene& scene, const WallDensity<Real>* walls)
-    : walls_(walls), passes_(pairPasses<Real>(scene.fluid.kernel)) {
+DensityConstraint<Real>::DensityConstraint(const Scene& scene, const WallDensity<Real>* walls,
+                                           const Phases<Real>* phases)
+    : walls_(walls),
+      phases_(phases),
+      passes_(phases ? mixturePairPasses<Real>(scene.fluid.kernel)
+                     : pairPasses<Real>(scene.fluid.kernel)) {
   const double h = scene.supportRadius_m();
   const FluidParams& fluid = scene.fluid;
   const double volume = particleVolume_m3(fluid, h);
   support_ = static_cast<Real>(h);
+  ice_density_ = static_cast<Real>(scene.ice.density_ratio);
   weight_scale_ = static_cast<Real>(volume * densityAtZero(fluid.kernel, h));
   gradient_scale_ = static_cast<Real>(volume * slopeAtHalf(fluid.kernel, h) / (h / 2));
   self_ = fluid.self_density ? weight_scale_ : Real(0);
@@ -45,21 +70,30 @@ void DensityConstraint<Real>::computeLambda(const Particles<Real>& particles,
                                             const Neighbours<Real>& neighbours) {
   const VectorField<Real>& x = particles.predicted;
   resize(x.size());
-  positions_.pack(x);
+  if (phases_) {
+    positions_.pack(x, phases_->share());
+  } else {
+    positions_.pack(x);
+  }
   const PairInput<Real> pairs{neighbours, positions_.data(), nullptr, support_};
+  const auto computeRun = [&](ParticleRange run) {
+    passes_.sumConstraint(pairs, {density_, lambda_, delta_p_}, run);
+    if (walls_) addWalls(x, run);
+    for (std::size_t i = run.first; i < run.last; ++i) finishLambda(i);
+  };
   parallelForRanges(x.size(), [&](std::size_t first, std::size_t last) {
-    passes_.sumConstraint(pairs, {density_, lambda_, delta_p_}, {first, last});
-    if (walls_) addWalls(x, first, last);
-    for (std::size_t i = first; i < last; ++i) finishLambda(i);
+    forEachRun({first, last}, phases_ ? &phases_->wet() : nullptr, computeRun,
+               [&](std::size_t i) { skipLambda(i); });
   });
 }
 
 /// Adds what walls contribute, in the scale of the sums over neighbours.
 template <class Real>
-void DensityConstraint<Real>::addWalls(const VectorField<Real>& x, std::size_t first,
-                                       std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) wall_gradient_.set(i, Vec3<Real>::Zero());
-  walls_->forEachNear(x, first, last, [&](std::size_t i, const WallSample<Real>& wall) {
+void DensityConstraint<Real>::addWalls(const VectorField<Real>& x, ParticleRange range) {
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    wall_gradient_.set(i, Vec3<Real>::Zero());
+  }
+  walls_->forEachNear(x, range.first, range.last, [&](std::size_t i, const WallSample<Real>& wall) {
     density_[i] += wall.value / weight_scale_;
     const Vec3<Real> gradient = wall.gradient / gradient_scale_;
     delta_p_.add(i, gradient);
@@ -70,7 +104,8 @@ void DensityConstraint<Real>::addWalls(const VectorField<Real>& x, std::size_t f
 /// Turns the sums over neighbours, which lie where the results will, into density and lambda.
 template <class Real>
 void DensityConstraint<Real>::finishLambda(std::size_t i) {
-  const Real relative = self_ + weight_scale_ * density_[i];
+  const Real own_share = phases_ ? phases_->share()[i] : Real(1);
+  const Real relative = self_ * own_share + weight_scale_ * density_[i];
   const Vec3<Real> own = gradient_scale_ * delta_p_.at(i);  // grad_i C_i, Eq. 4 for itself
   const Real slope_scale = gradient_scale_ * support_;
   const Real others = slope_scale * slope_scale * lambda_[i];  // |grad_j C_i|^2, for a neighbour
@@ -83,14 +118,27 @@ void DensityConstraint<Real>::finishLambda(std::size_t i) {
   if (!resist_tension_) lambda_[i] = std::min(lambda_[i], most);
 }
 
+/// Ice and steam press on nothing by themselves.
+template <class Real>
+void DensityConstraint<Real>::skipLambda(std::size_t i) {
+  density_[i] = phases_->steam(i) ? static_cast<Real>(kSteamDensity) : ice_density_;
+  lambda_[i] = 0;
+  if (walls_) wall_gradient_.set(i, Vec3<Real>::Zero());
+}
+
 template <class Real>
 void DensityConstraint<Real>::computeDeltaP(const Particles<Real>& particles,
                                             const Neighbours<Real>& neighbours) {
   positions_.pack(particles.predicted, lambda_);
-  const PairInput<Real> pairs{neighbours, positions_.data(), nullptr, support_};
+  PairInput<Real> pairs{neighbours, positions_.data(), nullptr, support_};
+  if (phases_) pairs.shares = phases_->share().data();
+  const auto computeRun = [&](ParticleRange run) {
+    passes_.sumCorrections(pairs, delta_p_, run);
+    for (std::size_t i = run.first; i < run.last; ++i) finishDeltaP(i);
+  };
   parallelForRanges(particles.size(), [&](std::size_t first, std::size_t last) {
-    passes_.sumCorrections(pairs, delta_p_, {first, last});
-    for (std::size_t i = first; i < last; ++i) finishDeltaP(i);
+    forEachRun({first, last}, phases_ ? &phases_->wet() : nullptr, computeRun,
+               [&](std::size_t i) { delta_p_.set(i, Vec3<Real>::Zero()); });
   });
   begun_ = true;
 }

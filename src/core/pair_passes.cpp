@@ -129,9 +129,10 @@ struct Water {
                                           const PairInput<Real>&, std::size_t, const Index*) {
     return hn::Add(own, other);
   }
-  template <class D>
-  static HWY_INLINE hn::Vec<D> grip(D, hn::Vec<D> weight, hn::Vec<D>, hn::Vec<D>) {
-    return weight;
+  template <class D, class Real>
+  static HWY_INLINE Columns<D> difference(D, const Columns<D>& own, const Columns<D>& other,
+                                          const Pairs<D>&, const PairInput<Real>&) {
+    return {hn::Sub(other.x, own.x), hn::Sub(other.y, own.y), hn::Sub(other.z, own.z), own.w};
   }
 };
 
@@ -148,11 +149,22 @@ struct Mixed {
     const auto own_share = hn::Set(d, in.shares[i]);
     return hn::MulAdd(own, loadEach(d, in.shares, j), hn::Mul(other, own_share));
   }
-  template <class D>
-  static HWY_INLINE hn::Vec<D> grip(D d, hn::Vec<D> weight, hn::Vec<D> own, hn::Vec<D> other) {
-    const auto lesser = hn::Min(own, other);
-    const auto moves = hn::Lt(lesser, hn::Set(d, hn::TFromD<D>(kRigidGrip)));
-    return hn::IfThenElseZero(moves, hn::Mul(weight, lesser));
+  template <class D, class Real>
+  static HWY_INLINE Columns<D> difference(D d, const Columns<D>& own, const Columns<D>& other,
+                                          const Pairs<D>& pairs, const PairInput<Real>& in) {
+    const auto lesser = hn::Min(own.w, other.w);
+    const auto moves = hn::Lt(lesser, hn::Set(d, Real(kRigidGrip)));
+    const auto shear = hn::Set(d, in.shear);
+    const auto whole = hn::IfThenElseZero(moves, hn::Min(lesser, shear));
+    const auto beyond = hn::IfThenElseZero(moves, hn::Max(hn::Sub(lesser, shear), hn::Zero(d)));
+    const auto x = hn::Sub(other.x, own.x), y = hn::Sub(other.y, own.y),
+               z = hn::Sub(other.z, own.z);
+    const auto closing = hn::MulAdd(x, pairs.x, hn::MulAdd(y, pairs.y, hn::Mul(z, pairs.z)));
+    const auto r2 = hn::Mul(pairs.square, hn::Set(d, in.support * in.support));
+    const auto along = hn::IfThenElseZero(pairs.within, hn::Div(hn::Mul(beyond, closing), r2));
+    return {hn::MulAdd(whole, x, hn::Mul(along, pairs.x)),
+            hn::MulAdd(whole, y, hn::Mul(along, pairs.y)),
+            hn::MulAdd(whole, z, hn::Mul(along, pairs.z)), lesser};
   }
 };
 
@@ -217,12 +229,12 @@ void addDifferences(const PairInput<Real>& in, Real factor, VectorField<Real>& o
     forEachVector(d, in.neighbours.of(i), [&](const Index* j, auto kept) HWY_ATTR {
       const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j, kept);
       const auto value = loadRows(d, in.values, j);
-      const auto kernel = cubicWeight(d, hn::Sqrt(pairs.square), pairs.square);
       const auto weight =
-          hn::IfThenElseZero(pairs.near, Kind::grip(d, kernel, own_value.w, value.w));
-      x = hn::MulAdd(weight, hn::Sub(value.x, own_value.x), x);
-      y = hn::MulAdd(weight, hn::Sub(value.y, own_value.y), y);
-      z = hn::MulAdd(weight, hn::Sub(value.z, own_value.z), z);
+          hn::IfThenElseZero(pairs.near, cubicWeight(d, hn::Sqrt(pairs.square), pairs.square));
+      const auto taken = Kind::difference(d, own_value, value, pairs, in);
+      x = hn::MulAdd(weight, taken.x, x);
+      y = hn::MulAdd(weight, taken.y, y);
+      z = hn::MulAdd(weight, taken.z, z);
     });
     out.x[i] += factor * total(d, x);
     out.y[i] += factor * total(d, y);

@@ -19,10 +19,10 @@ Particles<Real> spawnParticles(const Scene& scene, std::vector<Spawn>& spawns) {
   particles.velocity.resize(count);
   particles.id.resize(count);
 
-  const double d = scene.fluid.spacing_m;
   std::uint32_t i = 0;
   for (const Block& block : scene.blocks) {
     const std::uint32_t first = i;
+    const double d = scene.spacing_m(block);
     const auto size = latticeSize(block, d);
     const bool turned = !block.rpy_deg.isZero();
     const Posed pose = poseOf(block.centre_m(), block.rpy_deg);

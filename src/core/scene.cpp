@@ -84,6 +84,14 @@ double Scene::supportRadius_m() const {
   return fluid.support_radius_m > 0.0 ? fluid.support_radius_m : 2.0 * fluid.spacing_m;
 }
 
+bool Scene::startsFrozen(const Block& block) const {
+  return heat.enabled && !block.sheet && block.celsius < heat.freezing_c;
+}
+
+double Scene::spacing_m(const Block& block) const {
+  return startsFrozen(block) ? fluid.spacing_m / std::cbrt(ice.density_ratio) : fluid.spacing_m;
+}
+
 int Scene::substeps() const {
   if (solver.substeps > 0) return solver.substeps;
   switch (solver.quality) {
@@ -160,7 +168,7 @@ double particleCount(const Block& block, double spacing_m) {
 
 std::int64_t particleCount(const Scene& scene) {
   double count = 0.0;
-  for (const Block& block : scene.blocks) count += particleCount(block, scene.fluid.spacing_m);
+  for (const Block& block : scene.blocks) count += particleCount(block, scene.spacing_m(block));
   return static_cast<std::int64_t>(std::min(count, 9e18));
 }
 
@@ -187,10 +195,16 @@ void validate(const Scene& scene) {
                          ": a sheet is a box one particle thick; set shape to box, or sheet "
                          "to false");
     }
-    if (particleCount(block, d) > 0) continue;
-    throw InvalidInput(
-        name + " holds no particle: max_m must exceed min_m by at least fluid.spacing_m = " +
-        numberText(d) + " along every axis");
+    if (block.sheet && scene.heat.enabled) {
+      throw InvalidInput(name +
+                         ": a sheet cannot be in a scene with heat.enabled, as it neither "
+                         "freezes nor melts; set one of them to false");
+    }
+    const double spacing = scene.spacing_m(block);
+    if (particleCount(block, spacing) > 0) continue;
+    throw InvalidInput(name + " holds no particle: max_m must exceed min_m by at least " +
+                       numberText(spacing) +
+                       " m along every axis, the spacing that follows from fluid.spacing_m");
   }
   const std::int64_t count = particleCount(scene);
   if (static_cast<double>(count) > scene.limits.max_particles) {

@@ -11,6 +11,7 @@ namespace ice_ice_baby {
 namespace {
 
 constexpr std::size_t kMaxListEntries = 1000;
+constexpr std::size_t kMaxBlocks = 10000;  ///< copies included
 
 /// Visitor of describe(): reads one map of the tree into the described struct.
 class Reader {
@@ -176,6 +177,38 @@ void nameColliders(Scene& scene) {
   name(scene.spheres, "sphere");
 }
 
+/// Puts a block of its own in place of every copy.
+void expandCopies(Scene& scene) {
+  std::vector<Block> expanded;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const Block& block = scene.blocks[k];
+    const Vec3d copies = block.copies;
+    if (copies != copies.array().floor().matrix() || copies.prod() > kMaxListEntries) {
+      throw InvalidInput("blocks." + std::to_string(k) + ".copies = [" + numberText(copies.x()) +
+                         ", " + numberText(copies.y()) + ", " + numberText(copies.z()) +
+                         "] must be whole numbers, at most " + std::to_string(kMaxListEntries) +
+                         " copies together");
+    }
+    if (double(expanded.size()) + copies.prod() > double(kMaxBlocks)) {
+      throw InvalidInput("the blocks with their copies are more than " +
+                         std::to_string(kMaxBlocks) + "; lower blocks." + std::to_string(k) +
+                         ".copies");
+    }
+    for (int x = 0; x < copies.x(); ++x) {
+      for (int y = 0; y < copies.y(); ++y) {
+        for (int z = 0; z < copies.z(); ++z) {
+          Block& copy = expanded.emplace_back(block);
+          const Vec3d shift = Vec3d(x, y, z).cwiseProduct(block.copies_step_m);
+          copy.min_m += shift;
+          copy.max_m += shift;
+          copy.copies = Vec3d::Ones();
+        }
+      }
+    }
+  }
+  scene.blocks = std::move(expanded);
+}
+
 template <class Params>
 void read(const YAML::Node& map, const std::string& path, Params& params) {
   Reader reader(map, path);
@@ -194,6 +227,7 @@ Scene readScene(const YAML::Node& tree, const std::string& origin) {
     applyPreset(scene, chosen.preset, chosen.fluid.spacing_m);
     read(tree, "", scene);
     nameColliders(scene);
+    expandCopies(scene);
     validate(scene);
     return scene;
   } catch (const InvalidInput& e) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "ice_ice_baby/clearance.h"
 #include "ice_ice_baby/errors.h"
@@ -16,10 +17,6 @@ namespace {
 /// Lists reach this far beyond the support radius, in spacings, and live until a particle moved
 /// half.
 constexpr double kSkin = 0.3;
-
-/// Bounds of the number of substeps where a target error is followed.
-constexpr int kFewestSubsteps = 2;
-constexpr int kMostSubsteps = 64;
 
 const int kAllThreads = tbb::this_task_arena::max_concurrency();
 
@@ -51,12 +48,18 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
   if (scene.fluid.wall_density && !colliders_.empty()) {
     walls_.emplace(scene, colliders_, volume_m3);
   }
-  density_.emplace(scene, walls_ ? &*walls_ : nullptr);
-  if (scene.solver.viscosity_1_s > 0.0) viscosity_.emplace(scene, volume_m3);
+  if (scene.heat.enabled) {
+    heat_.emplace(scene, spawns_, colliders_);
+    phases_.emplace(scene, particles_.size());
+  }
+  const Phases<Real>* phases = phases_ ? &*phases_ : nullptr;
+  density_.emplace(scene, walls_ ? &*walls_ : nullptr, phases);
+  if (scene.solver.viscosity_1_s > 0.0 || phases) viscosity_.emplace(scene, volume_m3, phases);
   updateTemperature(0.0);
   arena_.execute([&] {
     findNeighbours();
     joinSheets();
+    if (heat_) updatePhases(std::numeric_limits<double>::infinity());
     density_->computeLambda(particles_, neighbours_);
     updateReport();
   });
@@ -73,6 +76,7 @@ const StepReport& Simulator<Real>::advanceFrame() {
   if (!report_.asleep) {
     arena_.execute([&] {
       runSubsteps();
+      if (heat_) advanceHeat();
       report_clock_.run([&] { updateReport(); });
       updateSleep();
       followTargetError();
@@ -99,29 +103,37 @@ void Simulator<Real>::runSubsteps() {
 template <class Real>
 void Simulator<Real>::substep(double dt_s) {
   const Real dt = static_cast<Real>(dt_s);
-  predict_clock_.run([&] {
-    applyForcesAndPredict(dt);
-    density_->warmStart(particles_);
-  });
+  predict_clock_.run([&] { predict(dt_s); });
   neighbours_clock_.run([&] { findNeighbours(); });
   if (strictness_ > 0.0) make_springs_clock_.run([&] { makeSprings(); });
+  if (bodies_) contacts_clock_.run([&] { findContacts(); });
 
   for (int iteration = 0; iteration < scene_.solver.iterations; ++iteration) {
     lambda_clock_.run([&] { density_->computeLambda(particles_, neighbours_); });
     delta_p_clock_.run([&] { density_->computeDeltaP(particles_, neighbours_); });
     if (!colliders_.empty()) collide_clock_.run([&] { respondToCollisions(); });
     // The paper corrects x* before its update, the default after: doc/algorithm.md says why.
-    if (!scene_.springs.correct_updated) correctSprings(dt_s);
+    if (!scene_.springs.correct_updated) correctSprings(dt_s, iteration);
     position_clock_.run([&] { updatePredicted(); });
-    if (scene_.springs.correct_updated) correctSprings(dt_s);
+    if (bodies_) bodies_clock_.run([&] { moveBodies(); });
+    if (scene_.springs.correct_updated) correctSprings(dt_s, iteration);
   }
-  const bool moved_since_response = springs_ || scene_.solver.iterations == 0;
+  const bool moved_since_response = springsCorrect() || scene_.solver.iterations == 0;
   if (moved_since_response && !colliders_.empty()) collide_clock_.run([&] { finishCollisions(); });
 
+  if (bodies_) bodies_clock_.run([&] { contacts_->contain(*bodies_, particles_.predicted); });
+
   velocity_clock_.run([&] { updateVelocityAndPosition(dt); });
-  if (viscosity_)
-    viscosity_clock_.run(
-        [&] { viscosity_->apply(particles_, neighbours_, dt_s, density_->rows()); });
+  if (bodies_) bodies_clock_.run([&] { bodies_->finish(particles_); });
+  if (viscosity_) viscosity_clock_.run([&] { applyViscosity(dt_s); });
+}
+
+template <class Real>
+void Simulator<Real>::predict(double dt_s) {
+  applyForcesAndPredict(static_cast<Real>(dt_s));
+  if (phases_) predictSteamAndIce(dt_s);
+  density_->warmStart(particles_);
+  if (bodies_) bodies_->conform(particles_.predicted);
 }
 
 template <class Real>
@@ -141,7 +153,11 @@ void Simulator<Real>::findNeighbours() {
   particles_.reorder(order);
   density_->reorder(order);
   if (springs_) springs_->renumber(order);
+  if (heat_) heat_->reorder(order);
+  if (phases_) phases_->reorder(order);
+  if (bodies_) bodies_->reorder(order);
   neighbours_.build(particles_.predicted);
+  if (bodies_) phases_->findWet(neighbours_);
   if (neighbours_.coincident()) separateCoincident();
 }
 
@@ -173,9 +189,16 @@ void Simulator<Real>::makeSprings() {
 }
 
 template <class Real>
-void Simulator<Real>::correctSprings(double dt_s) {
-  if (!springs_) return;
-  correct_springs_clock_.run([&] { springs_->correct(particles_.predicted, strictness_, dt_s); });
+void Simulator<Real>::correctSprings(double dt_s, int iteration) {
+  if (!springsCorrect()) return;
+  correct_springs_clock_.run([&] {
+    if (heat_) {
+      springs_->correctElastic(particles_.predicted, scene_.ice.compliance_m_n, mass_kg_, dt_s,
+                               iteration == 0);
+    } else {
+      springs_->correct(particles_.predicted, strictness_, dt_s);
+    }
+  });
 }
 
 /// Amends delta p so that x* + delta p lies outside every collider.
@@ -185,6 +208,7 @@ void Simulator<Real>::respondToCollisions() {
   const Paths<Real> paths{particles_.position, particles_.predicted, &delta_p};
   parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
     forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
+      if (inBody(i)) return;
       const Vec3<Real> predicted = particles_.predicted.at(i);
       const Vec3<Real> wanted = predicted + delta_p.at(i);
       const Vec3<Real> end = colliders_.respond(particles_.position.at(i), wanted, sticks());
@@ -206,6 +230,7 @@ void Simulator<Real>::finishCollisions() {
   const Paths<Real> paths{particles_.position, particles_.predicted};
   parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
     forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
+      if (inBody(i)) return;
       const Vec3<Real> wanted = particles_.predicted.at(i);
       particles_.predicted.set(i, colliders_.respond(particles_.position.at(i), wanted, sticks()));
     });
@@ -239,66 +264,6 @@ void Simulator<Real>::updateVelocityAndPosition(Real dt) {
   });
   report_.speed_limited += limited;
   report_.non_finite += repaired;
-}
-
-template <class Real>
-void Simulator<Real>::updateTemperature(double time_s) {
-  temperature_.advanceTo(time_s);
-  const double before = strictness_;
-  strictness_ = temperature_.strictness();
-  if (strictness_ != before) wake();
-  if (strictness_ < 1.0 && springs_) {
-    springs_->melt();
-    if (strictness_ == 0.0 && springs_->empty()) springs_.reset();
-  }
-  report_.temperature_c = temperature_.celsius();
-  report_.strictness = strictness_;
-  report_.springs = springs_ ? springs_->size() : 0;
-}
-
-template <class Real>
-void Simulator<Real>::joinSheets() {
-  for (std::size_t k = 0; k < scene_.blocks.size(); ++k) {
-    if (!scene_.blocks[k].sheet) continue;
-    if (!springs_) springs_.emplace(scene_.springs);
-    springs_->addSheet(particles_, neighbours_, spawns_[k],
-                       static_cast<Real>(1.5 * scene_.fluid.spacing_m));
-  }
-}
-
-/// Frozen water slower than the sleep speed for half a second sleeps; anything new wakes it.
-template <class Real>
-void Simulator<Real>::updateSleep() {
-  const bool slow = report_.max_speed_m_s < scene_.springs.sleep_speed_m_s;
-  still_s_ =
-      springs_ && springs_->kept() && slow ? still_s_ + 1.0 / scene_.solver.frame_rate_hz : 0.0;
-  if (report_.asleep || still_s_ < 0.5) return;
-  report_.asleep = true;
-  for (auto* axis : {&particles_.velocity.x, &particles_.velocity.y, &particles_.velocity.z}) {
-    std::fill(axis->begin(), axis->end(), Real(0));
-  }
-  updateReport();
-}
-
-/// The error falls with the square of the substep. Fewer substeps are tried one at a time, so that
-/// a calm frame does not leave the next one short.
-template <class Real>
-void Simulator<Real>::followTargetError() {
-  const double target = scene_.solver.target_error;
-  if (target == 0.0 || report_.asleep) return;
-  const double wanted = std::ceil(substeps_ * std::sqrt(report_.density_error_mean / target));
-  const double fewest = std::max(kFewestSubsteps, substeps_ - 1);
-  const double most = std::min(kMostSubsteps, 2 * substeps_);
-  const int next = static_cast<int>(std::clamp(wanted, std::min(fewest, most), most));
-  if (next == substeps_) return;
-  density_->rescaleWarmStart(double(substeps_) / next);
-  substeps_ = next;
-}
-
-template <class Real>
-void Simulator<Real>::wake() {
-  report_.asleep = false;
-  still_s_ = 0.0;
 }
 
 std::unique_ptr<Simulation> makeSimulation(const Scene& scene, Precision precision, int threads) {

@@ -22,6 +22,7 @@ template <class Real>
 void Simulator<Real>::setTemperature(double celsius, double ramp_s, const std::string& target) {
   requireTemperature(celsius, ramp_s);
   requireTarget(scene_, target);
+  if (!target.empty()) return heat_->setWall(target, celsius, ramp_s);
   temperature_.set(celsius, ramp_s);
   updateTemperature(report_.time_s);
 }
@@ -29,6 +30,11 @@ void Simulator<Real>::setTemperature(double celsius, double ramp_s, const std::s
 template <class Real>
 void Simulator<Real>::heatRegion(const HeatRegion& region) {
   requireHeatRegion(scene_, region);
+  if (heat_->regions() >= kMaxHeatRegions) {
+    throw InvalidInput(std::to_string(kMaxHeatRegions) +
+                       " regions are heated or cooled already; wait until one of them ends");
+  }
+  heat_->addRegion(region);
 }
 
 template <class Real>

@@ -61,6 +61,25 @@ void Simulator<Real>::updateReport() {
   report_.potential_energy_j = mass_kg_ * heights;
   report_.max_speed_m_s = std::sqrt(fastest);
   report_.rms_speed_m_s = n > 0 ? std::sqrt(squares / double(n)) : 0.0;
+  if (heat_) reportHeat();
+}
+
+template <class Real>
+void Simulator<Real>::reportHeat() {
+  const std::size_t n = particles_.size();
+  double celsius = 0.0, ice = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    celsius += heat_->temperature(i);
+    ice += heat_->iceFraction(i);
+  }
+  report_.mean_celsius = n > 0 ? celsius / double(n) : 0.0;
+  report_.strictness = n > 0 ? ice / double(n) : 0.0;
+  report_.enthalpy_j = heat_->totalEnthalpy_j();
+  report_.heat_speedup = heat_->reachedSpeedup();
+  report_.bodies = bodies_ ? bodies_->count() : 0;
+  report_.bodies_asleep = bodies_ ? bodies_->asleep() : 0;
+  report_.ice_particles = phases_->iceCount();
+  report_.steam_particles = phases_->steamCount();
 }
 
 template <class Real>
@@ -81,8 +100,8 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
               float(v.x[i]),
               float(v.y[i]),
               float(v.z[i]),
-              float(report_.temperature_c),
-              float(strictness_),
+              float(heat_ ? heat_->temperature(i) : report_.temperature_c),
+              float(heat_ ? heat_->iceFraction(i) : strictness_),
               float(density_->density()[i]),
               float(pascal * double(density_->multiplier()[i])),
               std::uint32_t(k * stride)};
@@ -156,16 +175,22 @@ std::vector<StageStats> Simulator<Real>::stages() const {
   const bool iterates = scene_.solver.iterations > 0;
   list.push_back(predict_clock_.stats(particles_.bytes()));
   list.push_back(neighbours_clock_.stats(neighbours_.bytes()));
-  if (springs_) list.push_back(make_springs_clock_.stats(springs_->bytes()));
+  if (springs_ && !heat_) list.push_back(make_springs_clock_.stats(springs_->bytes()));
+  if (bodies_) list.push_back(contacts_clock_.stats(contacts_->bytes()));
   if (iterates) {
     list.push_back(lambda_clock_.stats(density_->bytes() + (walls_ ? walls_->bytes() : 0)));
     list.push_back(delta_p_clock_.stats(0));
   }
   if (!colliders_.empty()) list.push_back(collide_clock_.stats(colliders_.bytes()));
-  if (springs_) list.push_back(correct_springs_clock_.stats(0));
+  if (springsCorrect()) list.push_back(correct_springs_clock_.stats(0));
   if (iterates) list.push_back(position_clock_.stats(0));
+  if (bodies_) list.push_back(bodies_clock_.stats(bodies_->bytes()));
   list.push_back(velocity_clock_.stats(0));
   if (viscosity_) list.push_back(viscosity_clock_.stats(viscosity_->bytes()));
+  if (heat_) list.push_back(heat_clock_.stats(heat_->bytes()));
+  if (phases_) {
+    list.push_back(phases_clock_.stats(phases_->bytes() + (springs_ ? springs_->bytes() : 0)));
+  }
   list.push_back(report_clock_.stats(0));
   return list;
 }
@@ -179,6 +204,7 @@ std::uint64_t Simulator<Real>::stateHash() const {
       hashBits(hash, field->y[i]);
       hashBits(hash, field->z[i]);
     }
+    if (heat_) hashBits(hash, heat_->enthalpy()[i]);
   }
   return hash;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace ice_ice_baby {
 
@@ -56,6 +57,49 @@ void Springs<Real>::melt() {
 }
 
 template <class Real>
+void Springs<Real>::freeze(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
+                           const Phases<Real>& phases, Real reach_m,
+                           const std::vector<Spawn>* apart) {
+  const auto spawnOf = [&](Index i) {
+    const auto after = [](std::uint32_t id, const Spawn& spawn) { return id < spawn.first_id; };
+    return std::upper_bound(apart->begin(), apart->end(), particles.id[i], after);
+  };
+  for (Index a = 0; a < particles.size(); ++a) {
+    if (!phases.newIce(a)) continue;
+    const Vec3<Real> xa = particles.position.at(a);
+    for (const Index b : neighbours.of(a)) {
+      if (!phases.ice(b) || (phases.newIce(b) && b < a)) continue;
+      if (apart && spawnOf(a) != spawnOf(b)) continue;
+      const Real length = (particles.position.at(b) - xa).norm();
+      if (length <= reach_m) springs_.push_back({a, b, length});
+    }
+  }
+}
+
+template <class Real>
+void Springs<Real>::breakMelted(const Phases<Real>& phases) {
+  const auto melted = [&](const Spring<Real>& s) { return !phases.ice(s.a) || !phases.ice(s.b); };
+  const auto ice = springs_.begin() + static_cast<std::ptrdiff_t>(sheet_count_);
+  springs_.erase(std::remove_if(ice, springs_.end(), melted), springs_.end());
+}
+
+/// Union by the lesser place, with path halving.
+template <class Real>
+void Springs<Real>::labelBodies(const Phases<Real>& phases, std::vector<Index>& labels) const {
+  const auto rootOf = [&](Index i) {
+    while (labels[i] != i) i = labels[i] = labels[labels[i]];
+    return i;
+  };
+  labels.resize(phases.size());
+  std::iota(labels.begin(), labels.end(), Index(0));
+  for (std::size_t s = sheet_count_; s < springs_.size(); ++s) {
+    const Index a = rootOf(springs_[s].a), b = rootOf(springs_[s].b);
+    labels[std::max(a, b)] = std::min(a, b);
+  }
+  for (Index i = 0; i < labels.size(); ++i) labels[i] = phases.ice(i) ? rootOf(i) : kNone;
+}
+
+template <class Real>
 void Springs<Real>::correct(VectorField<Real>& predicted, double strictness, double dt_s) const {
   const SpringRange rigid;
   const SpringRange ice_range = kept_ ? rigid : allowedRange(params_, strictness, dt_s);
@@ -79,6 +123,41 @@ void Springs<Real>::correct(VectorField<Real>& predicted, double strictness, dou
 }
 
 template <class Real>
+void Springs<Real>::correctElastic(VectorField<Real>& predicted, double compliance_m_n,
+                                   double particle_kg, double dt_s, bool begins) {
+  if (begins) multipliers_.assign(springs_.size(), Real(0));
+  const Real softness = static_cast<Real>(compliance_m_n / (dt_s * dt_s));  // 1/kg
+  const Real inverse_mass = static_cast<Real>(1.0 / particle_kg);
+  const auto correctOne = [&](std::size_t s) {
+    const Spring<Real>& spring = springs_[s];
+    const Vec3<Real> along = predicted.at(spring.b) - predicted.at(spring.a);
+    const Real length = along.norm();
+    if (length == 0) return;
+    const Real c = length - spring.rest_m;
+    const Real change = (-c - softness * multipliers_[s]) / (2 * inverse_mass + softness);
+    multipliers_[s] += change;
+    const Vec3<Real> move = along * (change * inverse_mass / length);
+    predicted.add(spring.a, -move);
+    predicted.add(spring.b, move);
+  };
+  const std::size_t count = springs_.size();
+  for (std::size_t s = 0; s < count; ++s) correctOne(s);
+  for (std::size_t s = count; s-- > 0;) correctOne(s);
+}
+
+template <class Real>
+void Springs<Real>::breakStretched(const VectorField<Real>& position, double strain) {
+  const Real most = static_cast<Real>(1.0 + strain);
+  const auto ice = springs_.begin() + static_cast<std::ptrdiff_t>(sheet_count_);
+  springs_.erase(std::remove_if(ice, springs_.end(),
+                                [&](const Spring<Real>& s) {
+                                  const Vec3<Real> along = position.at(s.b) - position.at(s.a);
+                                  return along.norm() > most * s.rest_m;
+                                }),
+                 springs_.end());
+}
+
+template <class Real>
 void Springs<Real>::renumber(const std::vector<Index>& order) {
   place_of_.resize(order.size());
   for (Index k = 0; k < order.size(); ++k) place_of_[order[k]] = k;
@@ -90,7 +169,8 @@ void Springs<Real>::renumber(const std::vector<Index>& order) {
 
 template <class Real>
 std::size_t Springs<Real>::bytes() const {
-  return springs_.capacity() * sizeof(Spring<Real>) + place_of_.capacity() * sizeof(Index);
+  return springs_.capacity() * sizeof(Spring<Real>) + multipliers_.capacity() * sizeof(Real) +
+         place_of_.capacity() * sizeof(Index);
 }
 
 template class Springs<float>;

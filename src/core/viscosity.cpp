@@ -1,5 +1,6 @@
 #include "ice_ice_baby/viscosity.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ice_ice_baby/parallel.h"
@@ -7,24 +8,45 @@
 namespace ice_ice_baby {
 
 template <class Real>
-Viscosity<Real>::Viscosity(const Scene& scene, double volume_m3)
+Viscosity<Real>::Viscosity(const Scene& scene, double volume_m3, const Phases<Real>* phases)
     : kernel_(static_cast<Real>(scene.supportRadius_m())),
       volume_(static_cast<Real>(volume_m3)),
       rate_1_s_(scene.solver.viscosity_1_s),
-      passes_(pairPasses<Real>(KernelPair::kCubic)) {}
+      phases_(phases),
+      passes_(phases ? mixturePairPasses<Real>(KernelPair::kCubic)
+                     : pairPasses<Real>(KernelPair::kCubic)) {}
 
 template <class Real>
 void Viscosity<Real>::apply(Particles<Real>& particles, const Neighbours<Real>& neighbours,
                             double dt_s, PackedRows<Real>& scratch) {
   const std::size_t n = particles.size();
   const Real share = static_cast<Real>(1.0 - std::exp(-rate_1_s_ * dt_s));
-  const Real factor = volume_ * share * kernel_.w(0);
+  Real factor = volume_ * kernel_.w(0);
   scratch.pack(particles.predicted);
-  velocities_.pack(particles.velocity);
-  const PairInput<Real> pairs{neighbours, scratch.data(), velocities_.data(), kernel_.h};
+  if (phases_) {
+    packMixture(particles, share);
+  } else {
+    velocities_.pack(particles.velocity);
+    factor *= share;
+  }
+  const PairInput<Real> pairs{neighbours, scratch.data(), velocities_.data(),
+                              kernel_.h,  nullptr,        share};
   parallelForRanges(n, [&](std::size_t first, std::size_t last) {
     passes_.addDifferences(pairs, factor, particles.velocity, {first, last});
   });
+}
+
+template <class Real>
+void Viscosity<Real>::packMixture(const Particles<Real>& particles, Real share) {
+  constexpr Real kSlushShare(0.5);  // all neighbours together must not overshoot
+  const Real rise = std::max(Real(0), kSlushShare - share);
+  grip_.resize(particles.size());
+  parallelFor(particles.size(), [&](std::size_t i) {
+    const bool rigid = phases_->ice(i) && !phases_->flows()[i];
+    const Real own = phases_->steam(i) ? Real(0) : share + rise * phases_->slush()[i];
+    grip_[i] = rigid ? static_cast<Real>(kRigidGrip) : own;
+  });
+  velocities_.pack(particles.velocity, grip_);
 }
 
 template class Viscosity<float>;

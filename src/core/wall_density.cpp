@@ -8,7 +8,6 @@ namespace ice_ice_baby {
 
 namespace {
 
-constexpr int kTableSize = 512;
 constexpr int kEdgeSize = 64;
 constexpr int kCornerSize = 32;
 
@@ -63,27 +62,14 @@ double WallDensity<Real>::ghosts(const std::array<double, 3>& distances, int wal
 }
 
 template <class Real>
-template <class Function>
-typename WallDensity<Real>::Table WallDensity<Real>::tabulate(const Function& function) const {
-  Table table;
-  table.per_m = static_cast<Real>(kTableSize / h_);
-  table.values.reserve(kTableSize + 2);
-  for (int k = 0; k <= kTableSize; ++k) {
-    table.values.push_back(static_cast<Real>(function(h_ * k / kTableSize)));
-  }
-  table.values.push_back(0);
-  return table;
+DistanceTable<Real> WallDensity<Real>::halfSpace() const {
+  return DistanceTable<Real>(h_, [&](double distance) { return ghosts({distance, 0, 0}, 1); });
 }
 
 template <class Real>
-typename WallDensity<Real>::Table WallDensity<Real>::halfSpace() const {
-  return tabulate([&](double distance) { return ghosts({distance, 0, 0}, 1); });
-}
-
-template <class Real>
-typename WallDensity<Real>::Table WallDensity<Real>::ball(Real radius) const {
+DistanceTable<Real> WallDensity<Real>::ball(Real radius) const {
   constexpr int kShells = 400;
-  return tabulate([&](double distance) {
+  return DistanceTable<Real>(h_, [&](double distance) {
     double sum = 0.0;
     for (int k = 0; k < kShells; ++k) {
       const double r = h_ * (k + 0.5) / kShells;
@@ -92,15 +78,6 @@ typename WallDensity<Real>::Table WallDensity<Real>::ball(Real radius) const {
     }
     return sum;
   });
-}
-
-template <class Real>
-std::pair<Real, Real> WallDensity<Real>::Table::at(Real distance) const {
-  const Real place = std::max(distance, Real(0)) * per_m;
-  if (!(place < kTableSize)) return {0, 0};
-  const auto k = static_cast<std::size_t>(place);
-  const Real rise = values[k + 1] - values[k];
-  return {values[k] + (place - static_cast<Real>(k)) * rise, rise * per_m};
 }
 
 template <class Real>
@@ -152,7 +129,7 @@ std::vector<Real> WallDensity<Real>::corner() const {
 
 /// Adds what three walls share, linear between the nodes of the table.
 template <class Real>
-void WallDensity<Real>::addCorner(const std::array<NearWall, 3>& walls,
+void WallDensity<Real>::addCorner(const std::array<NearWall<Real>, 3>& walls,
                                   WallSample<Real>& sample) const {
   const Real per_m = static_cast<Real>(kCornerSize / h_);
   std::array<std::size_t, 3> cell{};
@@ -181,21 +158,22 @@ void WallDensity<Real>::addCorner(const std::array<NearWall, 3>& walls,
 
 /// Half spaces of all walls, less what two share, plus what three share.
 template <class Real>
-WallSample<Real> WallDensity<Real>::inBox(const NearWall* walls, int count) const {
+WallSample<Real> WallDensity<Real>::inBox(const NearWalls<Real>& near) const {
+  const NearWall<Real>* walls = near.begin();
   WallSample<Real> sample;
-  for (int a = 0; a < count; ++a) {
-    const NearWall& one = walls[a];
+  for (int a = 0; a < near.count; ++a) {
+    const NearWall<Real>& one = walls[a];
     const auto [density, slope] = plane_.at(one.distance);
     sample.value += density;
     sample.gradient[one.axis] += one.sign * slope;
-    for (int b = a + 1; b < count; ++b) {
-      const NearWall& two = walls[b];
+    for (int b = a + 1; b < near.count; ++b) {
+      const NearWall<Real>& two = walls[b];
       if (two.axis == one.axis) continue;
       const auto shared = edge_.at(one.distance, two.distance);
       sample.value -= shared.value;
       sample.gradient[one.axis] -= one.sign * shared.slope_a;
       sample.gradient[two.axis] -= two.sign * shared.slope_b;
-      for (int c = b + 1; c < count; ++c) {
+      for (int c = b + 1; c < near.count; ++c) {
         if (walls[c].axis != two.axis) addCorner({one, two, walls[c]}, sample);
       }
     }
@@ -207,53 +185,23 @@ template <class Real>
 void WallDensity<Real>::addContainer(const Body<Real, ContainerShape<Real>>& body,
                                      const Vec3<Real>& point, WallSample<Real>& sample) const {
   const Vec3<Real> local = body.motion.to.toLocal(point);
-  const Real h = static_cast<Real>(h_);
-  const Vec3<Real> from_low = local - body.shape.inner.low;
-  const Vec3<Real> from_high = body.shape.inner.high - local;
-  if (from_low.cwiseMin(from_high).minCoeff() >= h - radius_ || !body.shape.inside(local)) return;
-  std::array<NearWall, 6> walls;
-  int count = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Real low = from_low[axis] + radius_;
-    const Real high = from_high[axis] + radius_;
-    const bool open = axis == 2 && body.shape.open_top;
-    if (low < h) walls[std::size_t(count++)] = {axis, low, 1};
-    if (high < h && !open) walls[std::size_t(count++)] = {axis, high, -1};
-  }
-  if (count == 0) return;
-  const WallSample<Real> box = inBox(walls.data(), count);
+  const auto near = nearWalls(body.shape, local, radius_, static_cast<Real>(h_));
+  if (near.count == 0) return;
+  const WallSample<Real> box = inBox(near);
   sample.value += box.value;
   sample.gradient += body.motion.to.rotation * box.gradient;
-}
-
-/// Whether the nearest point of something else lies behind a wall of the container that holds the
-/// point: a ground just under a container must not count on top of its floor.
-template <class Real>
-bool WallDensity<Real>::hidden(const Vec3<Real>& point, const Vec3<Real>& nearest) const {
-  const Real hair = Real(1e-3) * radius_;
-  for (const auto& body : colliders_.containers) {
-    if (!body.shape.inside(body.motion.to.toLocal(point))) continue;
-    const Vec3<Real> local = body.motion.to.toLocal(nearest);
-    const auto low = body.shape.inner.low.array() - radius_ + hair;
-    const auto high = body.shape.inner.high.array() + radius_ - hair;
-    if ((local.array() < low).any() || (local.array() > high).any()) return true;
-  }
-  return false;
 }
 
 template <class Real>
 void WallDensity<Real>::addPlane(const Body<Real, PlaneShape<Real>>& body, const Vec3<Real>& point,
                                  WallSample<Real>& sample) const {
-  const Vec3<Real> local = body.motion.to.toLocal(point);
-  const Real distance = local.z() - body.shape.surface + radius_;
-  const BoxShape<Real>& plate = body.shape.plate;
-  const bool beside =
-      !body.shape.infinite && ((local.head(2).array() < plate.low.head(2).array()).any() ||
-                               (local.head(2).array() > plate.high.head(2).array()).any());
-  if (beside || distance < 0) return;
+  const Real distance = heightAbove(body, point, radius_);
+  if (distance < 0) return;
   const auto [density, slope] = plane_.at(distance);
   const Vec3<Real> normal = body.motion.to.rotation.col(2);
-  if (density == 0 || hidden(point, point - distance * normal)) return;
+  if (density == 0 ||
+      hiddenByWall<Real>(colliders_, point, point - distance * normal, radius_, true))
+    return;
   sample.value += density;
   sample.gradient += normal * slope;
 }
@@ -271,7 +219,7 @@ WallSample<Real> WallDensity<Real>::at(const Vec3<Real>& point) const {
     const auto [density, slope] = spheres_[k].at(gap);
     if (density == 0 || distance == 0) continue;
     const Vec3<Real> normal = out / distance;
-    if (hidden(point, point - gap * normal)) continue;
+    if (hiddenByWall<Real>(colliders_, point, point - gap * normal, radius_, true)) continue;
     sample.value += density;
     sample.gradient += normal * slope;
   }
@@ -281,8 +229,8 @@ WallSample<Real> WallDensity<Real>::at(const Vec3<Real>& point) const {
 template <class Real>
 std::size_t WallDensity<Real>::bytes() const {
   std::size_t total =
-      (plane_.values.capacity() + edge_.values.capacity() + corner_.capacity()) * sizeof(Real);
-  for (const Table& table : spheres_) total += table.values.capacity() * sizeof(Real);
+      plane_.bytes() + (edge_.values.capacity() + corner_.capacity()) * sizeof(Real);
+  for (const DistanceTable<Real>& table : spheres_) total += table.bytes();
   return total;
 }
 

@@ -1,5 +1,6 @@
 #include "diagnostics.h"
 
+#include "heat_status.h"
 #include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
@@ -38,6 +39,8 @@ void Diagnostics::solver(Status& status) {
   const StepReport& report = now.report;
   const std::uint64_t limited = now.speed_limited - speed_limited_;
   speed_limited_ = now.speed_limited;
+  const std::uint64_t refused = now.refused - refused_;
+  refused_ = now.refused;
   status.summary(Level::OK, now.paused ? "paused" : "running");
   if (limited > 0) {
     status.summary(Level::WARN,
@@ -46,6 +49,10 @@ void Diagnostics::solver(Status& status) {
   if (report.non_finite > 0) {
     status.summary(Level::WARN, "values that were not finite were repaired; raise solver.substeps");
   }
+  if (refused > 0) {
+    status.mergeSummary(Level::WARN, "a command came to nothing: " + now.refusal);
+  }
+  addHeat(status, now);
   if (!now.failure.empty()) {
     status.summary(Level::ERROR, "paused because a frame failed: " + now.failure);
   }

@@ -4,18 +4,12 @@
 #include <ros/console.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include "each_collider.h"
 #include "geometry.h"
 
 namespace ice_ice_baby {
 
 namespace {
-
-template <class Visit>
-void forEachCollider(const Scene& scene, const Visit& visit) {
-  for (const Collider& collider : scene.containers) visit(collider);
-  for (const Collider& collider : scene.planes) visit(collider);
-  for (const Collider& collider : scene.spheres) visit(collider);
-}
 
 geometry_msgs::TransformStamped transform(const std::string& parent, const std::string& child,
                                           const Posed& pose, const ros::Time& stamp) {

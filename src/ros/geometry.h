@@ -42,6 +42,10 @@ inline Vec3d vectorOf(const geometry_msgs::Vector3& message) {
   return {message.x, message.y, message.z};
 }
 
+inline Vec3d vectorOf(const geometry_msgs::Point& message) {
+  return {message.x, message.y, message.z};
+}
+
 inline geometry_msgs::Pose poseMessage(const Posed& pose) {
   geometry_msgs::Pose message;
   message.position = pointMessage(pose.position);

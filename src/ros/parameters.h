@@ -57,7 +57,8 @@ void describe(NodeParameters& p, Visitor&& visit) {
   visit("particles_stride", p.particles_stride, Range{1, 1000000},
         "publish every n-th particle, by id");
   visit("particles_rgb", p.particles_rgb,
-        "whether a point carries a colour, blue for water and white for ice");
+        "whether a point carries a colour: water blue, with heat by its temperature, ice white, "
+        "steam grey");
   visit("springs_rate_hz", p.springs_rate_hz, Range{0.0, 100.0},
         "spring markers per second of wall time; 0: none");
   visit("springs_max", p.springs_max, Range{0, 5000000},

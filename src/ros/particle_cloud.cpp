@@ -1,9 +1,9 @@
 #include "particle_cloud.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstring>
+
+#include "particle_colour.h"
 
 namespace ice_ice_baby {
 
@@ -48,22 +48,38 @@ bool bigEndian() {
   return first == 0;
 }
 
-}  // namespace
-
-std::uint32_t particleColour(float ice_fraction) {
-  constexpr float kWater[3] = {0.13f, 0.46f, 0.86f};  // red, green, blue
-  constexpr float kIce[3] = {0.90f, 0.96f, 1.0f};
-  const float ice = std::min(std::max(ice_fraction, 0.0f), 1.0f);
-  std::uint32_t colour = 0;
-  for (int part = 0; part < 3; ++part) {
-    const float mixed = kWater[part] + ice * (kIce[part] - kWater[part]);
-    colour = colour << 8 | static_cast<std::uint32_t>(std::lround(255.0f * mixed));
+/// Points of sample and colour, one after the other.
+template <class Colour>
+void writePoints(const std::vector<ParticleSample>& samples, Colour colourOf, std::uint8_t* point) {
+  for (const ParticleSample& sample : samples) {
+    const std::uint32_t colour = colourOf(sample);
+    std::memcpy(point, &sample, sizeof(sample));
+    std::memcpy(point + sizeof(sample), &colour, sizeof(colour));
+    point += sizeof(sample) + sizeof(colour);
   }
-  return colour;
 }
 
-void writeCloud(const std::vector<ParticleSample>& samples, bool rgb,
+/// particleColour of a sample; without heat all of them have the same.
+class SceneColour {
+ public:
+  std::uint32_t operator()(const ParticleSample& sample) {
+    if (sample.ice_fraction != ice_fraction_) {
+      ice_fraction_ = sample.ice_fraction;
+      colour_ = particleColour(ice_fraction_);
+    }
+    return colour_;
+  }
+
+ private:
+  float ice_fraction_ = 0.0f;
+  std::uint32_t colour_ = particleColour(0.0f);
+};
+
+}  // namespace
+
+void writeCloud(const std::vector<ParticleSample>& samples, Colouring colouring,
                 sensor_msgs::PointCloud2& cloud) {
+  const bool rgb = colouring != Colouring::kPlain;
   const std::size_t step = sizeof(ParticleSample) + (rgb ? sizeof(std::uint32_t) : 0);
   cloud.fields = fields(rgb);
   cloud.is_bigendian = bigEndian();
@@ -74,21 +90,16 @@ void writeCloud(const std::vector<ParticleSample>& samples, bool rgb,
   cloud.row_step = static_cast<std::uint32_t>(step * samples.size());
   cloud.data.resize(step * samples.size());
   if (samples.empty()) return;
-  if (!rgb) {
-    std::memcpy(cloud.data.data(), samples.data(), cloud.data.size());
-    return;
-  }
-  std::uint8_t* point = cloud.data.data();
-  float coloured = samples.front().ice_fraction;
-  std::uint32_t colour = particleColour(coloured);
-  for (const ParticleSample& sample : samples) {
-    if (sample.ice_fraction != coloured) {
-      coloured = sample.ice_fraction;
-      colour = particleColour(coloured);
-    }
-    std::memcpy(point, &sample, sizeof(sample));
-    std::memcpy(point + sizeof(sample), &colour, sizeof(colour));
-    point += step;
+  switch (colouring) {
+    case Colouring::kPlain:
+      std::memcpy(cloud.data.data(), samples.data(), cloud.data.size());
+      break;
+    case Colouring::kScene:
+      writePoints(samples, SceneColour(), cloud.data.data());
+      break;
+    case Colouring::kHeat:
+      writePoints(samples, heatColour, cloud.data.data());
+      break;
   }
 }
 

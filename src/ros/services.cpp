@@ -1,6 +1,7 @@
 #include "services.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry.h"
 #include "ice_ice_baby/errors.h"
@@ -31,6 +32,34 @@ void requireSceneName(const std::string& name) {
   throw InvalidInput("no scene \"" + shortened(name) + "\"" + suggestion(name, names));
 }
 
+/// @throws InvalidInput for a shape that no heated region has
+BlockShape shapeOf(const std::string& name) {
+  if (name == "box") return BlockShape::kBox;
+  if (name == "ball") return BlockShape::kBall;
+  throw InvalidInput("shape = \"" + shortened(name) + "\" must be one of: box, ball");
+}
+
+HeatRegion regionOf(const ApplyHeat::Request& request) {
+  HeatRegion region;
+  region.shape = shapeOf(request.shape);
+  region.centre_m = vectorOf(request.centre);
+  region.size_m = vectorOf(request.size);
+  region.power_w = request.power_w;
+  region.duration_s = request.duration_s;
+  return region;
+}
+
+/// What a temperature is set of, in words.
+std::string targetText(const Scene& scene, const std::string& target) {
+  if (!target.empty()) return "collider " + target;
+  return scene.heat.enabled ? "air" : "the whole scene";
+}
+
+std::string vectorText(const Vec3d& vector) {
+  return "[" + numberText(vector.x()) + ", " + numberText(vector.y()) + ", " +
+         numberText(vector.z()) + "]";
+}
+
 }  // namespace
 
 Services::Services(ros::NodeHandle& node, const NodeParameters& parameters,
@@ -44,6 +73,7 @@ Services::Services(ros::NodeHandle& node, const NodeParameters& parameters,
       scene_(parameters.scene) {
   servers_ = {node.advertiseService("get_state", &Services::getState, this),
               node.advertiseService("set_temperature", &Services::setTemperature, this),
+              node.advertiseService("heat_region", &Services::heatRegion, this),
               node.advertiseService("set_gravity", &Services::setGravity, this),
               node.advertiseService("reset", &Services::reset, this),
               node.advertiseService("pause", &Services::pause, this),
@@ -61,10 +91,23 @@ bool Services::setTemperature(SetTemperature::Request& request,
                               SetTemperature::Response& response) {
   response.temperature = simulation_.snapshot().report.temperature_c;
   return answer(response, [&] {
-    simulation_.setTemperature(request.temperature, request.ramp_s);
-    if (request.ramp_s == 0.0) response.temperature = request.temperature;
-    return "going to " + numberText(request.temperature) + " degrees C over " +
+    const std::string what = targetText(*simulation_.comingScene(), request.target);
+    simulation_.setTemperature(request.temperature, request.ramp_s, request.target);
+    const bool at_once = request.ramp_s == 0.0 && request.target.empty();
+    if (at_once) response.temperature = request.temperature;
+    return what + " going to " + numberText(request.temperature) + " degrees C over " +
            numberText(request.ramp_s) + " s";
+  });
+}
+
+bool Services::heatRegion(ApplyHeat::Request& request, ApplyHeat::Response& response) {
+  return answer(response, [&] {
+    const HeatRegion region = regionOf(request);
+    simulation_.heatRegion(region);
+    const std::string verb = region.power_w < 0.0 ? "cooling" : "heating";
+    return verb + " a " + request.shape + " of " + vectorText(region.size_m) + " m about " +
+           vectorText(region.centre_m) + " m with " + numberText(std::abs(region.power_w)) +
+           " W for " + numberText(region.duration_s) + " s";
   });
 }
 

@@ -2,6 +2,7 @@
 // solver.
 #pragma once
 
+#include <ice_ice_baby/ApplyHeat.h>
 #include <ice_ice_baby/GetState.h>
 #include <ice_ice_baby/Reset.h>
 #include <ice_ice_baby/SetGravity.h>
@@ -33,6 +34,7 @@ class Services {
 
  private:
   bool setTemperature(SetTemperature::Request& request, SetTemperature::Response& response);
+  bool heatRegion(ApplyHeat::Request& request, ApplyHeat::Response& response);
   bool setGravity(SetGravity::Request& request, SetGravity::Response& response);
   bool reset(Reset::Request& request, Reset::Response& response);
   bool step(Step::Request& request, Step::Response& response);

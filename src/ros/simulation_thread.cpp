@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "each_collider.h"
 #include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
@@ -26,7 +27,8 @@ SimulationThread::SimulationThread(const Scene& scene, const RunOptions& options
       pause_wanted_(options.start_paused),
       pacer_(0.0, options.ros_time) {
   latest_.paused = options.start_paused;
-  build(scene);
+  coming_scene_ = std::make_shared<const Scene>(scene);
+  build(coming_scene_);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -35,9 +37,15 @@ SimulationThread::~SimulationThread() {
   thread_.join();
 }
 
-void SimulationThread::setTemperature(double celsius, double ramp_s) {
+void SimulationThread::setTemperature(double celsius, double ramp_s, const std::string& target) {
   requireTemperature(celsius, ramp_s);
-  post([=] { simulation_->setTemperature(celsius, ramp_s); });
+  requireTarget(*comingScene(), target);
+  post([=] { simulation_->setTemperature(celsius, ramp_s, target); });
+}
+
+void SimulationThread::heatRegion(const HeatRegion& region) {
+  requireHeatRegion(*comingScene(), region);
+  post([=] { simulation_->heatRegion(region); });
 }
 
 void SimulationThread::setGravity(const Vec3d& gravity_m_s2) {
@@ -46,11 +54,18 @@ void SimulationThread::setGravity(const Vec3d& gravity_m_s2) {
 }
 
 void SimulationThread::reset(const Scene& scene) {
-  post([=] {
+  const auto coming = std::make_shared<const Scene>(scene);
+  const auto begin = [this, coming] {
     steps_left_ = 0;
-    build(scene);
+    try {
+      build(coming);
+    } catch (...) {
+      forgetComing(coming);
+      throw;
+    }
     hooks_.started(*simulation_);
-  });
+  };
+  post(begin, coming);
 }
 
 void SimulationThread::pause() {
@@ -91,6 +106,11 @@ Snapshot SimulationThread::snapshot() const {
   return snapshot_;
 }
 
+std::shared_ptr<const Scene> SimulationThread::comingScene() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return coming_scene_;
+}
+
 bool SimulationThread::stop(double patience_s) {
   std::unique_lock<std::mutex> lock(mutex_);
   stopping_ = true;
@@ -99,24 +119,33 @@ bool SimulationThread::stop(double patience_s) {
                            [this] { return ended_; });
 }
 
-void SimulationThread::post(Command command) {
+void SimulationThread::post(Command command, std::shared_ptr<const Scene> coming) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (commands_.size() >= kMaxCommands) {
     throw InvalidInput(std::to_string(kMaxCommands) +
                        " commands wait for the frame under way to end; try again later");
   }
   commands_.push_back(std::move(command));
+  if (coming) coming_scene_ = std::move(coming);
   changed_.notify_all();
 }
 
 /// Replaces the simulation; whatever throws leaves the old one in place.
-void SimulationThread::build(const Scene& scene) {
-  simulation_ = makeSimulation(scene, options_.precision, options_.threads);
+void SimulationThread::build(const std::shared_ptr<const Scene>& scene) {
+  simulation_ = makeSimulation(*scene, options_.precision, options_.threads);
+  scene_ = scene;
   latest_.failure.clear();
+  latest_.colliders.clear();
+  forEachCollider(*scene, [this](const Collider& c) { latest_.colliders.push_back(c.name); });
   const bool paced = options_.real_time_factor > 0.0;
   pacer_.setInterval(paced ? frameTime_s(*simulation_) / options_.real_time_factor : 0.0);
   pacer_.restart();
   updateSnapshot();
+}
+
+void SimulationThread::forgetComing(const std::shared_ptr<const Scene>& failed) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (coming_scene_ == failed) coming_scene_ = scene_;
 }
 
 void SimulationThread::run() {
@@ -146,6 +175,8 @@ void SimulationThread::applyCommands() {
     try {
       command();
     } catch (const std::exception& e) {
+      latest_.refused += 1;
+      latest_.refusal = e.what();
       ROS_ERROR("A command failed and changed nothing: %s", e.what());
     }
   }
@@ -188,6 +219,8 @@ void SimulationThread::updateSnapshot() {
   latest_.scene = scene.name;
   latest_.preset = scene.preset;
   latest_.precision = options_.precision;
+  latest_.heat = scene.heat.enabled;
+  latest_.heat_speedup_wanted = scene.heat.speedup;
   latest_.gravity_m_s2 = scene.gravity_m_s2;
   latest_.real_time_factor = latest_.paused ? 0.0 : real_time_factor_.value();
   const std::lock_guard<std::mutex> lock(mutex_);

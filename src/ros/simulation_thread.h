@@ -23,11 +23,16 @@ struct Snapshot {
   Preset preset = Preset::kDefault;
   Precision precision = Precision::kFloat;
   Vec3d gravity_m_s2 = Vec3d::Zero();
+  bool heat = false;                   ///< whether each particle has a temperature of its own
+  double heat_speedup_wanted = 0.0;    ///< heat.speedup of the scene
+  std::vector<std::string> colliders;  ///< names
   bool paused = false;
   double real_time_factor = 0.0;
   double simulated_s = 0.0;         ///< since the node started, over every reset
   std::uint64_t speed_limited = 0;  ///< the same, particles that the speed limit slowed
   std::string failure;              ///< why frames stopped, "" while all is well
+  std::uint64_t refused = 0;        ///< commands that came to nothing after they were accepted
+  std::string refusal;              ///< why the latest of them did
 };
 
 /// How the thread runs.
@@ -49,8 +54,9 @@ struct RunHooks {
       [](const Simulation&, const Snapshot&, bool) {};
 };
 
-/// Every command is checked by the caller's thread, then queued and applied between two frames, in
-/// order; none waits for the solver. A reset that fails leaves the old simulation running.
+/// Every command is checked by the caller's thread, against the scene that it will meet, then
+/// queued and applied between two frames, in order; none waits for the solver. A reset that fails
+/// leaves the old simulation running; a command that then fits no more changes nothing.
 class SimulationThread {
  public:
   /// Builds the simulation at once and starts the thread.
@@ -60,7 +66,9 @@ class SimulationThread {
   ~SimulationThread();
 
   /// Each throws InvalidInput for a bad value, or when 1000 commands wait already.
-  void setTemperature(double celsius, double ramp_s);
+  /// @param target as Simulation::setTemperature has it
+  void setTemperature(double celsius, double ramp_s, const std::string& target = "");
+  void heatRegion(const HeatRegion& region);
   void setGravity(const Vec3d& gravity_m_s2);
   /// @param scene as loadScene gave it, so already valid
   void reset(const Scene& scene);
@@ -72,15 +80,21 @@ class SimulationThread {
 
   Snapshot snapshot() const;
 
+  /// The scene that a command meets which is given now: the latest that was asked for.
+  std::shared_ptr<const Scene> comingScene() const;
+
   /// Asks the thread to end. @returns whether it did within `patience_s`
   bool stop(double patience_s);
 
  private:
   using Command = std::function<void()>;
 
-  void post(Command command);
+  /// @param coming the scene that stands after the command, null: the same as before
+  void post(Command command, std::shared_ptr<const Scene> coming = nullptr);
   void run();
-  void build(const Scene& scene);
+  void build(const std::shared_ptr<const Scene>& scene);
+  /// After a reset to `failed`: unless another waits, commands meet the scene that runs.
+  void forgetComing(const std::shared_ptr<const Scene>& failed);
   void applyCommands();
   bool runFrameIfDue();
   void runFrame();
@@ -90,15 +104,17 @@ class SimulationThread {
   const RunOptions options_;
   const RunHooks hooks_;
 
-  mutable std::mutex mutex_;  ///< guards what follows up to snapshot_
+  mutable std::mutex mutex_;  ///< guards what follows, up to snapshot_
   std::condition_variable changed_;
   std::vector<Command> commands_;
   bool pause_wanted_;
   bool stopping_ = false;
   bool ended_ = false;
+  std::shared_ptr<const Scene> coming_scene_;
   Snapshot snapshot_;
 
-  std::unique_ptr<Simulation> simulation_;  ///< from here on: the thread's own
+  std::shared_ptr<const Scene> scene_;  ///< that runs; from here on: the thread's own
+  std::unique_ptr<Simulation> simulation_;
   Snapshot latest_;
   Pacer pacer_;
   RealTimeFactor real_time_factor_;

@@ -30,6 +30,15 @@ State stateMessage(const Snapshot& snapshot, const std_msgs::Header& header) {
   state.springs = static_cast<std::uint32_t>(report.springs);
   state.temperature = report.temperature_c;
   state.strictness = report.strictness;
+  state.heat = snapshot.heat;
+  if (snapshot.heat) state.targets = snapshot.colliders;
+  state.mean_temperature = report.mean_celsius;
+  state.enthalpy_j = report.enthalpy_j;
+  state.heat_speedup = report.heat_speedup;
+  state.bodies = static_cast<std::uint32_t>(report.bodies);
+  state.bodies_asleep = static_cast<std::uint32_t>(report.bodies_asleep);
+  state.ice_particles = static_cast<std::uint32_t>(report.ice_particles);
+  state.steam_particles = static_cast<std::uint32_t>(report.steam_particles);
   state.gravity = vectorMessage(snapshot.gravity_m_s2);
   state.density_error_mean = report.density_error_mean;
   state.density_error_max = report.density_error_max;

@@ -95,7 +95,9 @@ void Topics::publishParticles(const Simulation& simulation, const std_msgs::Head
   news_.particles = false;
   simulation.sample(particle_samples_, stride_);
   cloud_.header = header;
-  writeCloud(particle_samples_, rgb_, cloud_);
+  const bool heat = simulation.scene().heat.enabled;
+  const Colouring coloured = heat ? Colouring::kHeat : Colouring::kScene;
+  writeCloud(particle_samples_, rgb_ ? coloured : Colouring::kPlain, cloud_);
   particles_.publish(cloud_);
 }
 

@@ -38,6 +38,12 @@ QPushButton* makeButton(const char* text, const char* object_name, const char* t
   return button;
 }
 
+QStringList words(const std::vector<std::string>& names) {
+  QStringList list;
+  for (const std::string& name : names) list << QString::fromStdString(name);
+  return list;
+}
+
 }  // namespace
 
 ControlPanel::ControlPanel(QWidget* parent)
@@ -100,9 +106,9 @@ void ControlPanel::connectInputs() {
     Q_EMIT configChanged();
   });
   connect(temperature_, &TemperatureControl::requested, this,
-          [this](double celsius, double ramp_s) {
-            target_ = celsius;
-            client_->setTemperature(celsius, ramp_s);
+          [this](double celsius, double ramp_s, const QString& collider) {
+            if (collider.isEmpty()) target_ = celsius;
+            client_->setTemperature(celsius, ramp_s, collider.toStdString());
           });
   connect(temperature_, &TemperatureControl::rampChanged, this, &ControlPanel::configChanged);
   connect(pause_, &QPushButton::clicked, this,
@@ -126,9 +132,7 @@ void ControlPanel::connectClient() {
   callbacks.answered = [this](const Answer& answer) { Q_EMIT answerArrived(answer); };
   callbacks.state = [this](const State& state) { Q_EMIT stateArrived(state); };
   callbacks.scenes = [this](const std::vector<std::string>& names) {
-    QStringList scenes;
-    for (const std::string& name : names) scenes << QString::fromStdString(name);
-    Q_EMIT scenesArrived(scenes);
+    Q_EMIT scenesArrived(words(names));
   };
   client_ = std::make_unique<SimulationClient>(std::move(callbacks));
 }
@@ -139,7 +143,7 @@ void ControlPanel::followNode(const QString& node) {
   asked_ = false;
   target_.reset();
   state_view_->forget();
-  temperature_->showInForce(std::nan(""));
+  temperature_->showInForce(std::nan(""), std::nan(""));
   if (!client_->follow(node.toStdString())) {
     showLine(QString("\"%1\" is no ROS name").arg(node), false);
     return;
@@ -155,7 +159,7 @@ void ControlPanel::showAnswer(const Answer& answer) {
   const bool asked_by_watch = answer.service == "get_state";
   if (!answer.reached) {
     state_view_->forget();
-    temperature_->showInForce(std::nan(""));
+    temperature_->showInForce(std::nan(""), std::nan(""));
     target_.reset();
   }
   const bool regained = answer.reached && !reached_;
@@ -181,7 +185,8 @@ void ControlPanel::showState(const State& state) {
   pause_->setText(paused_ ? "Resume" : "Pause");
   step_->setEnabled(paused_);
   state_view_->show(state);
-  temperature_->showInForce(state.temperature);
+  temperature_->showInForce(state.temperature, state.heat ? state.mean_temperature : std::nan(""));
+  temperature_->offerTargets(state.heat, words(state.targets));
   if (displays_ != nullptr) {
     showOpacity(displays_, node_->text().toStdString() + "/particles",
                 waterOpacity(state.strictness));

@@ -108,11 +108,12 @@ Answer SimulationClient::call(const std::string& node, const std::string& name, 
   return answer;
 }
 
-void SimulationClient::setTemperature(double celsius, double ramp_s) {
-  enqueue([this, celsius, ramp_s](const std::string& node) {
+void SimulationClient::setTemperature(double celsius, double ramp_s, const std::string& target) {
+  enqueue([this, celsius, ramp_s, target](const std::string& node) {
     SetTemperature service;
     service.request.temperature = celsius;
     service.request.ramp_s = ramp_s;
+    service.request.target = target;
     return call(node, "set_temperature", service);
   });
 }

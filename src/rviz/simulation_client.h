@@ -53,7 +53,8 @@ class SimulationClient {
   /// Resolved name of the node followed.
   const std::string& node() const { return node_; }
 
-  void setTemperature(double celsius, double ramp_s);
+  /// @param target "": the scene, with heat its air; with heat also the name of a collider
+  void setTemperature(double celsius, double ramp_s, const std::string& target = "");
   void pause();
   void resume();
   void step(unsigned frames);

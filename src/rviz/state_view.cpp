@@ -13,8 +13,12 @@ QString count(std::uint32_t number) {
   return QLocale(QLocale::English).toString(static_cast<qulonglong>(number));
 }
 
-/// Strictness in words: 0 is water, 1 is ice, between them both.
+/// Strictness in words: 0 is water, 1 is ice, between them both. With heat: how much of each.
 QString phase(const State& state) {
+  if (state.heat) {
+    const QString ice = QString("%p % ice");
+    return state.steam_particles > 0 ? ice + ", " + count(state.steam_particles) + " steam" : ice;
+  }
   if (state.strictness <= 0.0) return "water";
   const QString ice = state.strictness >= 1.0 ? QString("ice") : QString("freezing %p %");
   return state.asleep ? ice + ", asleep" : ice;
@@ -35,7 +39,7 @@ StateView::StateView(QWidget* parent) : QWidget(parent), ice_(new QProgressBar) 
   speed_ = addRow(form, "fastest particle", "speed_value");
   ice_->setObjectName("ice_bar");
   ice_->setRange(0, 100);
-  ice_->setToolTip("Strictness: 0 % liquid, 100 % frozen");
+  ice_->setToolTip("Strictness, with heat the share of ice: 0 % liquid, 100 % frozen");
   form->addRow("phase", ice_);
   density_error_->setToolTip("Compression, mean and maximum over the particles");
   forget();

@@ -14,6 +14,7 @@ namespace {
 using test::Cloud;
 
 constexpr double kSupport_m = 0.1;
+constexpr double kShear = 0.75;
 
 template <class Real>
 struct Sums {
@@ -53,7 +54,10 @@ Sums<double> plainSums(const VectorField<Real>& field, bool mixture) {
       sums.squares[i] += other * other * s * s * r * r / (kSupport_m * kSupport_m);
       sums.gradients.add(i, other * s * (xi - xj));
       sums.corrections.add(i, (xi.y() * other + xj.y() * own) * s * (xi - xj));
-      sums.differences.add(i, grip * cubic.w(r) / cubic.w(0) * (xj - xi));
+      const double whole = mixture ? std::min(grip, kShear) : 1;
+      const Vec3d along = (xi - xj) / r;
+      const Vec3d taken = whole * (xj - xi) + (grip - whole) * (xj - xi).dot(along) * along;
+      sums.differences.add(i, cubic.w(r) / cubic.w(0) * taken);
     }
   }
   return sums;
@@ -71,8 +75,8 @@ Sums<Real> vectorSums(const Cloud<Real>& cloud, KernelPair kernel, bool mixture)
   by_share.pack(x, shares);
   by_lambda.pack(x, x.y);
   by_grip.pack(x, grips);
-  PairInput<Real> pairs{cloud.neighbours, by_share.data(), by_grip.data(), Real(kSupport_m),
-                        shares.data()};
+  PairInput<Real> pairs{cloud.neighbours, by_share.data(), by_grip.data(),
+                        Real(kSupport_m), shares.data(),   Real(kShear)};
   const PairPasses<Real> passes =
       mixture ? mixturePairPasses<Real>(kernel) : pairPasses<Real>(kernel);
   Sums<Real> sums(x.size());

@@ -145,6 +145,36 @@ TEST(PayOnly, MeltedWaterCostsWhatWaterNeverFrozenDoes) {
   EXPECT_EQ(melted->report().springs, 0u);
 }
 
+/// Water at 20 degrees that has a temperature in every particle.
+Scene heated(double celsius) {
+  Scene scene = test::floatingCube(6);
+  scene.heat.enabled = true;
+  scene.blocks[0].celsius = celsius;
+  return scene;
+}
+
+TEST(PayOnly, HeatBringsItsStagesAndIceItsOwn) {
+  const Names water{"predict",  "neighbours", "lambda", "delta_p", "position",
+                    "velocity", "viscosity",  "heat",   "phases",  "report"};
+  EXPECT_EQ(namesOf(*ran(heated(20.0), 2)), water);
+  const Names ice{"predict",    "neighbours", "ice_contacts", "lambda", "delta_p", "position",
+                  "ice_bodies", "velocity",   "viscosity",    "heat",   "phases",  "report"};
+  EXPECT_EQ(namesOf(*ran(heated(-5.0), 2)), ice);
+  Scene elastic = heated(-5.0);
+  elastic.ice.compliance_m_n = 1e-6;
+  const Names soft{"predict",  "neighbours", "lambda", "delta_p", "correct_springs", "position",
+                   "velocity", "viscosity",  "heat",   "phases",  "report"};
+  EXPECT_EQ(namesOf(*ran(elastic, 2)), soft);
+}
+
+TEST(PayOnly, HeatWaitsAsLongAsOnePassCovers) {
+  auto slow = byName(*ran(heated(20.0), 60));
+  EXPECT_LE(slow["heat"].calls, 11u) << "a tenth of a second between passes";
+  Scene fast = heated(20.0);
+  fast.heat.speedup = 1e5;
+  EXPECT_EQ(byName(*ran(fast, 60))["heat"].calls, 60u);
+}
+
 /// Allocations of 30 frames after a warm-up in which every array has grown to its size.
 std::uint64_t steadyAllocations(const Scene& scene, int warm_up_frames, int threads) {
   const auto simulation = ran(scene, warm_up_frames, threads);

@@ -115,6 +115,27 @@ TEST(SceneTest, UnnamedCollidersAreNumbered) {
   EXPECT_EQ(scene.containers[0].name, "container_0");
 }
 
+TEST(SceneTest, CopiesOfABlockAreBlocks) {
+  const Scene scene = parseScene(
+      "blocks: [{min_m: [0, 0, 0], max_m: [0.1, 0.1, 0.1], copies: [2, 1, 3], "
+      "copies_step_m: [0.5, 9, 0.25]}, {min_m: [1, 1, 1], max_m: [2, 2, 2]}]");
+  ASSERT_EQ(scene.blocks.size(), 7u);
+  EXPECT_EQ(scene.blocks[1].min_m, Vec3d(0, 0, 0.25));
+  EXPECT_EQ(scene.blocks[5].max_m, Vec3d(0.6, 0.1, 0.6));
+  EXPECT_EQ(scene.blocks[6].min_m, Vec3d(1, 1, 1));
+  EXPECT_EQ(scene.blocks[5].copies, Vec3d(1, 1, 1));
+}
+
+TEST(SceneRefusalTest, CopiesThatAreNotWholeOrTooMany) {
+  const std::string block = "{min_m: [0, 0, 0], max_m: [1, 1, 1], copies: ";
+  expectRefusal("blocks: [" + block + "[1.5, 1, 1]}]", {"blocks.0.copies = [1.5, 1, 1]", "whole"});
+  expectRefusal("blocks: [" + block + "[1000, 2, 1]}]", {"at most 1000"});
+  expectRefusal("blocks: [" + block + "[0, 1, 1]}]", {"blocks.0.copies.0", "[1, 1000]"});
+  std::string many = "blocks:\n";
+  for (int k = 0; k < 11; ++k) many += "  - " + block + "[1000, 1, 1]}\n";
+  expectRefusal(many, {"more than 10000", "blocks.10.copies"});
+}
+
 TEST(SceneTest, EmptyTextIsTheDefaultScene) {
   EXPECT_EQ(parseScene("").solver.substeps, Scene().solver.substeps);
   EXPECT_EQ(parseScene("# nothing").fluid.spacing_m, Scene().fluid.spacing_m);
@@ -180,7 +201,9 @@ TEST(MessageTest, EchoesNoMoreThanAHundredCharacters) {
     loadScene(std::string(100000, 'x'));
     FAIL() << "no such scene";
   } catch (const InvalidInput& e) {
-    EXPECT_LT(std::string(e.what()).size(), 500U);
+    std::string names;
+    for (const std::string& name : sceneNames()) names += name + ", ";
+    EXPECT_LT(std::string(e.what()).size(), names.size() + 250U);
     EXPECT_NE(std::string(e.what()).find("dam_break"), std::string::npos) << e.what();
   }
   EXPECT_EQ(shortened(std::string("paper\0x", 7)), "paper");

@@ -3,10 +3,10 @@ import time
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
-from ice_ice_baby.srv import GetState, Reset, SetGravity, SetTemperature, Step
+from ice_ice_baby.srv import ApplyHeat, GetState, Reset, SetGravity, SetTemperature, Step
 from std_srvs.srv import Trigger
 
-TYPES = {'get_state': GetState, 'reset': Reset, 'set_gravity': SetGravity,
+TYPES = {'get_state': GetState, 'heat_region': ApplyHeat, 'reset': Reset, 'set_gravity': SetGravity,
          'set_temperature': SetTemperature, 'step': Step, 'pause': Trigger, 'resume': Trigger}
 
 

@@ -80,6 +80,7 @@ class Interface(unittest.TestCase):
         self.assertAlmostEqual(state.time_s, 3 / 60.0)
         self.assertEqual((state.particles, state.springs), (PARTICLES, 0))
         self.assertEqual((state.temperature, state.strictness), (20.0, 0.0))
+        self.assertEqual((state.heat, state.targets), (False, []))
         self.assertTrue(state.paused)
         self.assertGreater(state.kinetic_energy_j, 0.0)
         self.assertGreater(state.frame_wall_s, 0.0)
@@ -255,7 +256,7 @@ class Interface(unittest.TestCase):
     def test_get_state(self):
         answer = self.node.get_state()
         self.assertTrue(answer.success)
-        self.assertEqual(answer.scenes, ['followed', 'slow', 'small'])
+        self.assertEqual(answer.scenes, ['followed', 'slow', 'small', 'warm'])
         self.assertEqual([t.name for t in answer.state.topics],
                          ['/sim/particles', '/sim/springs', '/sim/colliders', '/sim/state'])
 

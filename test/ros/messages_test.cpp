@@ -1,12 +1,16 @@
 // What goes out: layout of clouds, chunks of springs, shapes of colliders, fields of the state.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <set>
 
+#include "heat_status.h"
 #include "ice_ice_baby/scene_loader.h"
 #include "markers.h"
 #include "particle_cloud.h"
+#include "particle_colour.h"
 #include "state_message.h"
 
 namespace ice_ice_baby {
@@ -31,9 +35,10 @@ Value readAt(const sensor_msgs::PointCloud2& cloud, std::size_t point, const std
 }
 
 TEST(Cloud, EachFieldHoldsWhatItsNameSays) {
-  for (const bool rgb : {false, true}) {
+  for (const Colouring colouring : {Colouring::kPlain, Colouring::kScene, Colouring::kHeat}) {
+    const bool rgb = colouring != Colouring::kPlain;
     sensor_msgs::PointCloud2 cloud;
-    writeCloud({sampleOf(7, 0.0f), sampleOf(9, 1.0f)}, rgb, cloud);
+    writeCloud({sampleOf(7, 0.0f), sampleOf(9, 1.0f)}, colouring, cloud);
     ASSERT_EQ(cloud.width, 2u);
     EXPECT_EQ(cloud.height, 1u);
     EXPECT_EQ(cloud.point_step, rgb ? 48u : 44u);
@@ -49,15 +54,18 @@ TEST(Cloud, EachFieldHoldsWhatItsNameSays) {
     EXPECT_EQ(readAt<float>(cloud, 1, "pressure"), 120.0f);
     EXPECT_EQ(readAt<std::uint32_t>(cloud, 1, "id"), 9u);
     if (!rgb) continue;
+    const bool heat = colouring == Colouring::kHeat;
+    const ParticleSample water = sampleOf(7, 0.0f);
     EXPECT_EQ(readAt<std::uint32_t>(cloud, 1, "rgb"), particleColour(1.0f));
-    EXPECT_EQ(readAt<std::uint32_t>(cloud, 0, "rgb"), particleColour(0.0f));
+    EXPECT_EQ(readAt<std::uint32_t>(cloud, 0, "rgb"),
+              heat ? heatColour(water) : particleColour(0.0f));
   }
 }
 
 TEST(Cloud, OfNothingIsEmptyButWhole) {
   sensor_msgs::PointCloud2 cloud;
-  writeCloud({sampleOf(1, 0.0f)}, true, cloud);
-  writeCloud({}, true, cloud);
+  writeCloud({sampleOf(1, 0.0f)}, Colouring::kScene, cloud);
+  writeCloud({}, Colouring::kScene, cloud);
   EXPECT_EQ(cloud.width, 0u);
   EXPECT_TRUE(cloud.data.empty());
   EXPECT_EQ(cloud.fields.size(), 12u);
@@ -70,6 +78,45 @@ TEST(Cloud, IceIsWhiterThanWater) {
   EXPECT_GT(red(1.0f), 200u);
   EXPECT_EQ(particleColour(7.0f), particleColour(1.0f));
   EXPECT_EQ(particleColour(0.5f) >> 24, 0u);
+}
+
+/// Red, green and blue of water, ice or steam in a scene with heat.
+std::array<int, 3> heatParts(float celsius, float ice, float density) {
+  ParticleSample sample = sampleOf(1, ice);
+  sample.temperature_c = celsius;
+  sample.density = density;
+  const std::uint32_t colour = heatColour(sample);
+  EXPECT_EQ(colour >> 24, 0u);
+  return {int(colour >> 16 & 255u), int(colour >> 8 & 255u), int(colour & 255u)};
+}
+
+TEST(Cloud, WithHeatWaterGoesFromDeepBlueToRed) {
+  const auto [cold_red, cold_green, cold_blue] = heatParts(0.0f, 0.0f, 1.0f);
+  const auto [hot_red, hot_green, hot_blue] = heatParts(100.0f, 0.0f, 1.0f);
+  EXPECT_GT(cold_blue, 2 * cold_red);
+  EXPECT_GT(hot_red, 2 * hot_blue);
+  int before = cold_red;
+  for (float celsius = 5.0f; celsius <= 100.0f; celsius += 5.0f) {
+    const int red = heatParts(celsius, 0.0f, 1.0f)[0];
+    EXPECT_GT(red, before) << celsius;
+    before = red;
+  }
+  EXPECT_EQ(heatParts(-40.0f, 0.0f, 1.0f), heatParts(0.0f, 0.0f, 1.0f));
+  EXPECT_EQ(heatParts(900.0f, 0.0f, 1.0f), heatParts(100.0f, 0.0f, 1.0f));
+  ParticleSample lukewarm = sampleOf(1, 0.0f);
+  lukewarm.temperature_c = 20.0f;
+  EXPECT_EQ(heatColour(lukewarm), particleColour(0.0f));  // the usual blue
+}
+
+TEST(Cloud, WithHeatIceIsWhiteAndSteamGrey) {
+  const auto ice = heatParts(-10.0f, 1.0f, 0.9f);
+  const auto slush = heatParts(0.0f, 0.5f, 0.95f);
+  const auto steam = heatParts(100.0f, 0.0f, 0.0f);
+  EXPECT_GT(*std::min_element(ice.begin(), ice.end()), 200);
+  EXPECT_GT(ice[0], slush[0]);
+  EXPECT_GT(slush[0], heatParts(0.0f, 0.0f, 1.0f)[0]);
+  EXPECT_GT(*std::min_element(steam.begin(), steam.end()), 200);
+  EXPECT_LT(steam[2] - steam[0], 16);
 }
 
 TEST(SpringMarkers, AreCutIntoChunks) {
@@ -154,6 +201,82 @@ TEST(StateMessage, CarriesTheReport) {
   ASSERT_EQ(state.stages.size(), 1u);
   EXPECT_EQ(state.stages[0].name, "lambda");
   EXPECT_EQ(state.stages[0].bytes, 678u);
+}
+
+/// A pond that freezes, as the thread tells of it.
+Snapshot freezingPond() {
+  Snapshot snapshot;
+  snapshot.heat = true;
+  snapshot.heat_speedup_wanted = 100.0;
+  snapshot.colliders = {"floor", "lid"};
+  snapshot.report.frame = 5;
+  snapshot.report.strictness = 0.25;
+  snapshot.report.mean_celsius = 1.5;
+  snapshot.report.enthalpy_j = 4e6;
+  snapshot.report.heat_speedup = 100.0;
+  snapshot.report.bodies = 3;
+  snapshot.report.bodies_asleep = 2;
+  snapshot.report.ice_particles = 40;
+  snapshot.report.steam_particles = 7;
+  return snapshot;
+}
+
+TEST(StateMessage, TellsOfHeat) {
+  const State state = stateMessage(freezingPond(), std_msgs::Header());
+  EXPECT_TRUE(state.heat);
+  EXPECT_EQ(state.targets, (std::vector<std::string>{"floor", "lid"}));
+  EXPECT_EQ(state.mean_temperature, 1.5);
+  EXPECT_EQ(state.enthalpy_j, 4e6);
+  EXPECT_EQ(state.heat_speedup, 100.0);
+  EXPECT_EQ(state.bodies, 3u);
+  EXPECT_EQ(state.bodies_asleep, 2u);
+  EXPECT_EQ(state.ice_particles, 40u);
+  EXPECT_EQ(state.steam_particles, 7u);
+}
+
+TEST(StateMessage, HasNoTargetsWithoutHeat) {
+  Snapshot snapshot = freezingPond();
+  snapshot.heat = false;
+  const State state = stateMessage(snapshot, std_msgs::Header());
+  EXPECT_FALSE(state.heat);
+  EXPECT_TRUE(state.targets.empty());
+}
+
+using Status = diagnostic_updater::DiagnosticStatusWrapper;
+
+TEST(HeatStatus, SaysNothingWithoutHeat) {
+  Status status;
+  Snapshot snapshot = freezingPond();
+  snapshot.heat = false;
+  snapshot.report.heat_speedup = 0.0;
+  addHeat(status, snapshot);
+  EXPECT_TRUE(status.values.empty());
+  EXPECT_EQ(status.level, Status::OK);
+}
+
+TEST(HeatStatus, WarnsWhereHeatIsSlowerThanAsked) {
+  Status status;
+  Snapshot snapshot = freezingPond();
+  addHeat(status, snapshot);
+  EXPECT_EQ(status.level, Status::OK);
+  EXPECT_EQ(status.values.size(), 7u);
+  snapshot.report.heat_speedup = 40.0;
+  addHeat(status, snapshot);
+  EXPECT_EQ(status.level, Status::WARN);
+  EXPECT_NE(status.message.find("40"), std::string::npos) << status.message;
+  EXPECT_NE(status.message.find("heat.speedup"), std::string::npos) << status.message;
+}
+
+TEST(HeatStatus, DoesNotWarnBeforeTheFirstFrameOrAsleep) {
+  for (const bool asleep : {false, true}) {
+    Status status;
+    Snapshot snapshot = freezingPond();
+    snapshot.report.heat_speedup = 0.0;
+    snapshot.report.frame = asleep ? 9 : 0;
+    snapshot.report.asleep = asleep;
+    addHeat(status, snapshot);
+    EXPECT_EQ(status.level, Status::OK) << status.message;
+  }
 }
 
 }  // namespace

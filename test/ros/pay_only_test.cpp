@@ -21,7 +21,10 @@ class Watched final : public Simulation {
   const StepReport& advanceFrame() override { return real_->advanceFrame(); }
   const StepReport& report() const override { return real_->report(); }
   const Scene& scene() const override { return real_->scene(); }
-  void setTemperature(double c, double s) override { real_->setTemperature(c, s); }
+  void setTemperature(double c, double s, const std::string& target) override {
+    real_->setTemperature(c, s, target);
+  }
+  void heatRegion(const HeatRegion& region) override { real_->heatRegion(region); }
   void setGravity(const Vec3d& gravity) override { real_->setGravity(gravity); }
   void moveCollider(const std::string& name, const Posed& pose) override {
     ++moves;

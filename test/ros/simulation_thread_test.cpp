@@ -19,6 +19,20 @@ Scene puddle() {
     planes: [{name: ground}])");
 }
 
+Scene warmPuddle() {
+  Scene scene = puddle();
+  scene.heat.enabled = true;
+  return scene;
+}
+
+HeatRegion torch() {
+  HeatRegion region;
+  region.size_m = {0.2, 0.2, 0.2};
+  region.power_w = 500.0;
+  region.duration_s = 1.0;
+  return region;
+}
+
 RunOptions paused() {
   RunOptions options;
   options.threads = 1;
@@ -69,6 +83,60 @@ TEST(SimulationThread, RefusedCommandsChangeNothing) {
   ASSERT_TRUE(reaches(thread, 1));
   EXPECT_EQ(thread.snapshot().report.temperature_c, 20.0);
   EXPECT_EQ(thread.snapshot().gravity_m_s2, Vec3d(0.0, 0.0, -9.81));
+}
+
+TEST(SimulationThread, TargetsAndRegionsNeedHeat) {
+  SimulationThread thread(puddle(), paused(), {});
+  EXPECT_THROW(thread.setTemperature(-5.0, 0.0, "ground"), InvalidInput);
+  EXPECT_THROW(thread.heatRegion(torch()), InvalidInput);
+  EXPECT_FALSE(thread.snapshot().heat);
+  EXPECT_EQ(thread.snapshot().colliders, std::vector<std::string>{"ground"});
+}
+
+TEST(SimulationThread, TargetsAndRegionsAreCheckedBeforeTheyWait) {
+  SimulationThread thread(warmPuddle(), paused(), {});
+  EXPECT_NO_THROW(thread.setTemperature(-5.0, 0.0, "ground"));
+  EXPECT_NO_THROW(thread.heatRegion(torch()));
+  EXPECT_THROW(thread.setTemperature(-5.0, 0.0, "grond"), InvalidInput);
+  HeatRegion endless = torch();
+  endless.duration_s = INFINITY;
+  EXPECT_THROW(thread.heatRegion(endless), InvalidInput);
+  thread.step(1);
+  ASSERT_TRUE(reaches(thread, 1));
+  EXPECT_TRUE(thread.snapshot().heat);
+  EXPECT_EQ(thread.snapshot().refused, 0u);
+}
+
+TEST(SimulationThread, CommandsMeetTheSceneOfTheResetBeforeThem) {
+  SimulationThread thread(puddle(), paused(), {});
+  thread.reset(warmPuddle());
+  EXPECT_NO_THROW(thread.setTemperature(-5.0, 0.0, "ground"));
+  thread.reset(puddle());
+  EXPECT_THROW(thread.heatRegion(torch()), InvalidInput);
+  thread.step(1);
+  ASSERT_TRUE(reaches(thread, 1));
+  EXPECT_EQ(thread.snapshot().refused, 0u);
+}
+
+TEST(SimulationThread, CommandThatFitsNoMoreChangesNothingAndIsTold) {
+  std::atomic<bool> held{true};
+  RunHooks hooks;
+  hooks.started = [&](const Simulation&) {
+    while (held) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  SimulationThread thread(puddle(), paused(), hooks);
+  Scene impossible = warmPuddle();
+  impossible.limits.max_particles = 1;
+  thread.reset(impossible);
+  thread.setTemperature(-5.0, 0.0, "ground");  // accepted: the reset may succeed
+  thread.heatRegion(torch());
+  thread.step(1);
+  held = false;
+  ASSERT_TRUE(reaches(thread, 1));
+  EXPECT_EQ(thread.snapshot().refused, 3u);
+  EXPECT_NE(thread.snapshot().refusal.find("heat.enabled"), std::string::npos);
+  EXPECT_EQ(thread.snapshot().report.temperature_c, 20.0);
+  EXPECT_THROW(thread.heatRegion(torch()), InvalidInput);  // the old scene counts again
 }
 
 TEST(SimulationThread, ResetThatFailsKeepsTheOldSimulation) {

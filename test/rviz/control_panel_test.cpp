@@ -10,9 +10,11 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
 
+#include "heated_node.h"
 #include "patience.h"
 
 namespace ice_ice_baby {
@@ -42,6 +44,11 @@ class ControlPanelTest : public testing::Test {
   }
 
   QString text(const char* label) { return child<QLabel>(label)->text(); }
+  void follow(const char* node) {
+    child<QLineEdit>("node")->setText(node);
+    Q_EMIT child<QLineEdit>("node")->editingFinished();
+  }
+
   QComboBox* scene() { return child<QComboBox>("scene"); }
 
   /// What a person's choice in a combo box does.
@@ -86,10 +93,30 @@ TEST_F(ControlPanelTest, startsTheChosenSceneAndPreset) {
   EXPECT_TRUE(awaitGui([this] { return text("answer").startsWith("reset"); }));
 }
 
+TEST_F(ControlPanelTest, offersNoTargetsWithoutHeat) {
+  EXPECT_FALSE(child<QComboBox>("temperature_target")->isVisible());
+  EXPECT_EQ(child<QSlider>("temperature_slider")->maximum(), 40);
+}
+
+TEST_F(ControlPanelTest, setsTheTemperatureOfAColliderOfASceneWithHeat) {
+  HeatedNode heated;
+  follow("/heated");
+  auto* target = child<QComboBox>("temperature_target");
+  ASSERT_TRUE(awaitGui([&] { return target->count() == 3; }));
+  EXPECT_TRUE(target->isVisible());
+  EXPECT_EQ(target->currentText(), "air");
+  EXPECT_EQ(text("temperature_in_force"), "air 20.0 °C, mean 3.5 °C");
+  EXPECT_EQ(child<QProgressBar>("ice_bar")->text(), "25 % ice, 7 steam");
+  choose(target, "plate");
+  child<QSlider>("temperature_slider")->setValue(120);
+  ASSERT_TRUE(awaitGui([&] { return heated.asked().target == "plate"; }));
+  EXPECT_EQ(heated.asked().temperature, 120.0);
+  EXPECT_TRUE(awaitGui([this] { return text("answer").startsWith("set_temperature"); }));
+  EXPECT_EQ(child<QSlider>("temperature_slider")->value(), 120);  // not the air's
+}
+
 TEST_F(ControlPanelTest, saysThatThereIsNoNode) {
-  auto* node = child<QLineEdit>("node");
-  node->setText("/nobody");
-  Q_EMIT node->editingFinished();
+  follow("/nobody");
   EXPECT_TRUE(awaitGui([this] { return text("answer") == "no node at /nobody"; }));
   EXPECT_EQ(text("particles_value"), "—");
 }

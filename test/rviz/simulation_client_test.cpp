@@ -158,5 +158,6 @@ int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "simulation_client_test");
   const ros::NodeHandle keeps_ros_running;
+  ros::service::waitForService("/ice_ice_baby/get_state", 20000);
   return RUN_ALL_TESTS();
 }

@@ -1,0 +1,28 @@
+// Torches and freezing sprays at work.
+#pragma once
+
+#include <vector>
+
+#include "ice_ice_baby/particles.h"
+#include "ice_ice_baby/simulation.h"
+
+namespace ice_ice_baby {
+
+class HeatRegions {
+ public:
+  void add(const HeatRegion& region) { active_.push_back(region); }
+
+  /// Adds to `power_w` what each particle receives, on average over the next `dt_s` of simulated
+  /// time, and ends the regions whose time is over. A region that holds no particle heats nothing.
+  /// @param power_w (n) W
+  template <class Real>
+  void advance(const VectorField<Real>& x, double dt_s, std::vector<Real>& power_w);
+
+  std::size_t size() const { return active_.size(); }
+  std::size_t bytes() const { return active_.capacity() * sizeof(HeatRegion); }
+
+ private:
+  std::vector<HeatRegion> active_;  ///< duration_s: what is left of it
+};
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,69 @@
+// One rigid body of ice: pose, momenta and inertia, in double however the particles are kept.
+#pragma once
+
+#include "ice_ice_baby/types.h"
+
+namespace ice_ice_baby {
+
+/// Rotation by |angle| about its direction: the exponential map.
+Eigen::Quaterniond rotationBy(const Vec3d& angle_rad);
+
+/// Where a body is. `turn` is the matrix of `rotation`.
+struct Placement {
+  Vec3d centre_m = Vec3d::Zero();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  Mat3<double> turn = Mat3<double>::Identity();
+
+  Placement() = default;
+  Placement(const Vec3d& centre, const Eigen::Quaterniond& rotated)
+      : centre_m(centre), rotation(rotated.normalized()), turn(rotation.toRotationMatrix()) {}
+
+  Vec3d at(const Vec3d& offset_m) const { return centre_m + turn * offset_m; }
+  bool allFinite() const { return centre_m.allFinite() && turn.allFinite(); }
+};
+
+/// The angular momentum is kept rather than the spin, as free rotation conserves it to the last bit
+/// while the spin of an uneven body wanders.
+struct IceBody {
+  Placement pose;                          ///< where the substep begins
+  Placement next;                          ///< where it ends, as far as it is worked out
+  Vec3d velocity_m_s = Vec3d::Zero();      ///< of the centre of mass
+  Vec3d angular_momentum = Vec3d::Zero();  ///< kg m^2/s about the centre of mass, world axes
+  double mass_kg = 0.0;
+  Mat3<double> inertia = Mat3<double>::Zero();       ///< kg m^2, body axes
+  Mat3<double> mobility = Mat3<double>::Zero();      ///< its inverse
+  Mat3<double> mobility_now = Mat3<double>::Zero();  ///< in world axes at `next`
+  double radius_m = 0.0;                             ///< from the centre to the furthest member
+  Index first = 0;  ///< members first ... last - 1, those at the surface first
+  Index last = 0;
+  Index surface_last = 0;  ///< end of the members that anything can touch
+  Index anchor = kNone;    ///< collider that carries it
+  Placement hold;          ///< in the frame of that collider
+  double speed_m_s = 0.0;  ///< largest that any member could have after the latest substep
+  double still_s = 0.0;    ///< for how long that was below the sleep speed
+  bool asleep = false;
+  bool supported = false;  ///< whether what cannot give way carried it in the latest substep
+  Index island = kNone;  ///< lowest of the awake bodies that press on each other; kNone: of itself
+
+  std::size_t count() const { return last - first; }
+  /// Whether it gives way to nothing: it sleeps or a collider carries it.
+  bool held() const { return asleep || anchor != kNone; }
+
+  /// Angular velocity that the angular momentum makes at a rotation, rad/s.
+  Vec3d spinAt(const Mat3<double>& turn) const {
+    return turn * (mobility * (turn.transpose() * angular_momentum));
+  }
+  Vec3d spin() const { return spinAt(next.turn); }
+  /// Largest speed that any member can have, m/s.
+  double fastest_m_s() const { return velocity_m_s.norm() + spin().norm() * radius_m; }
+
+  void moveTo(const Placement& placement);
+  /// Moves `next` by a displacement and a small turn about the centre and counts the impulse that
+  /// they stand for into the momenta, as water does: v += (x* - flight) / dt.
+  void push(const Vec3d& by_m, const Vec3d& turn_rad, double dt_s);
+  /// Where free flight of `dt_s` ends: midpoint rule on the spin, angular momentum held.
+  Placement flight(double dt_s) const;
+  void stop();
+};
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,33 @@
+#include "heat_status.h"
+
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Rounding alone does not make heat slower than wanted.
+constexpr double kAsWanted = 0.999;
+
+}  // namespace
+
+void addHeat(diagnostic_updater::DiagnosticStatusWrapper& status, const Snapshot& now) {
+  if (!now.heat) return;
+  const StepReport& report = now.report;
+  const bool watched = report.frame > 0 && !report.asleep;
+  if (watched && report.heat_speedup < kAsWanted * now.heat_speedup_wanted) {
+    status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN,
+                        "heat runs " + numberText(report.heat_speedup) + " times as fast, not " +
+                            numberText(now.heat_speedup_wanted) +
+                            " times; lower heat.speedup or raise solver.substeps");
+  }
+  status.add("temperature, mean [degrees C]", report.mean_celsius);
+  status.add("ice, share by mass", report.strictness);
+  status.add("ice bodies", report.bodies);
+  status.add("ice bodies asleep", report.bodies_asleep);
+  status.add("steam particles", report.steam_particles);
+  status.add("heat speed-up", report.heat_speedup);
+  status.add("heat speed-up wanted", now.heat_speedup_wanted);
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,97 @@
+#include "particles_display.h"
+
+#include <OGRE/OgreSceneNode.h>
+#include <rviz/display_context.h>
+#include <rviz/frame_manager.h>
+#include <rviz/properties/float_property.h>
+
+#include <pluginlib/class_list_macros.hpp>
+#include <stdexcept>
+
+namespace ice_ice_baby {
+namespace {
+
+rviz::FloatProperty* makeAlpha(const char* name, float value, const char* meaning,
+                               rviz::Display* parent) {
+  auto* alpha = new rviz::FloatProperty(name, value, meaning, parent, SLOT(restyle()));
+  alpha->setMin(0.0F);
+  alpha->setMax(1.0F);
+  return alpha;
+}
+
+}  // namespace
+
+ParticlesDisplay::ParticlesDisplay()
+    : size_m_(new rviz::FloatProperty("Size (m)", 0.018F, "Diameter of a particle.", this,
+                                      SLOT(restyle()))),
+      alphas_{makeAlpha("Water Alpha", 0.6F, "Opacity of water.", this),
+              makeAlpha("Ice Alpha", 1.0F, "Opacity of ice.", this),
+              makeAlpha("Steam Alpha", 0.12F, "Opacity of steam.", this)} {
+  size_m_->setMin(0.0001F);
+}
+
+ParticlesDisplay::~ParticlesDisplay() {
+  for (auto& cloud : clouds_) cloud.reset();
+  if (scene_node_ != nullptr) scene_node_->removeAndDestroyAllChildren();
+}
+
+void ParticlesDisplay::onInitialize() {
+  MFDClass::onInitialize();
+  for (auto& cloud : clouds_) {
+    cloud = std::make_unique<rviz::PointCloud>();
+    cloud->setRenderMode(rviz::PointCloud::RM_SPHERES);
+    // A node each, because rviz gives clouds no names and a node takes only one without.
+    scene_node_->createChildSceneNode()->attachObject(cloud.get());
+  }
+  restyle();
+}
+
+void ParticlesDisplay::reset() {
+  MFDClass::reset();
+  for (auto& cloud : clouds_) {
+    if (cloud) cloud->clear();
+  }
+}
+
+void ParticlesDisplay::restyle() {
+  const float size_m = size_m_->getFloat();
+  const float water = alphas_[WATER]->getFloat();
+  const float freezing = water + points_.freezing * (alphas_[ICE]->getFloat() - water);
+  for (const Phase phase : {WATER, ICE, STEAM}) {
+    if (!clouds_[phase]) return;
+    clouds_[phase]->setDimensions(size_m, size_m, size_m);
+    clouds_[phase]->setAlpha(phase == WATER ? freezing : alphas_[phase]->getFloat());
+  }
+  context_->queueRender();
+}
+
+void ParticlesDisplay::processMessage(const sensor_msgs::PointCloud2::ConstPtr& message) {
+  Ogre::Vector3 position;
+  Ogre::Quaternion orientation;
+  if (!context_->getFrameManager()->getTransform(message->header, position, orientation)) {
+    const QString frame = QString::fromStdString(message->header.frame_id);
+    setStatus(rviz::StatusProperty::Error, "Transform",
+              QString("none from [%1] to [%2]").arg(frame, fixed_frame_));
+    return;
+  }
+  try {
+    splitPhases(*message, points_);
+  } catch (const std::invalid_argument& e) {
+    setStatus(rviz::StatusProperty::Error, "Points", e.what());
+    return;
+  }
+  setStatus(rviz::StatusProperty::Ok, "Transform", "OK");
+  setStatus(rviz::StatusProperty::Ok, "Points", QString("%1 drawn").arg(message->width));
+  scene_node_->setPosition(position);
+  scene_node_->setOrientation(orientation);
+  for (const Phase phase : {WATER, ICE, STEAM}) {
+    auto& points = points_.of[phase];
+    clouds_[phase]->clear();
+    clouds_[phase]->addPoints(points.data(), static_cast<uint32_t>(points.size()));
+  }
+  restyle();
+}
+
+}  // namespace ice_ice_baby
+
+PLUGINLIB_EXPORT_CLASS(ice_ice_baby::ParticlesDisplay, rviz::Display)

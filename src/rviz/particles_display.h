@@ -1,0 +1,44 @@
+// Particles in rviz as they look: translucent water, opaque ice, a haze of steam.
+#pragma once
+
+#ifndef Q_MOC_RUN
+#include <rviz/message_filter_display.h>
+#include <sensor_msgs/PointCloud2.h>
+#endif
+
+#include <array>
+#include <memory>
+
+#include "phase_points.h"
+
+namespace rviz {
+class FloatProperty;
+}
+
+namespace ice_ice_baby {
+
+/// Draws one cloud as three. rviz draws a cloud with an opacity per point without depth, so that
+/// what is behind covers what is before; one opacity per phase leaves ice its depth.
+class ParticlesDisplay : public rviz::MessageFilterDisplay<sensor_msgs::PointCloud2> {
+  Q_OBJECT
+
+ public:
+  ParticlesDisplay();
+  ~ParticlesDisplay() override;
+
+  void onInitialize() override;
+  void reset() override;
+
+ private Q_SLOTS:
+  void restyle();
+
+ private:
+  void processMessage(const sensor_msgs::PointCloud2::ConstPtr& message) override;
+
+  rviz::FloatProperty* size_m_;
+  std::array<rviz::FloatProperty*, 3> alphas_;               ///< by Phase
+  std::array<std::unique_ptr<rviz::PointCloud>, 3> clouds_;  ///< by Phase
+  PhasePoints points_;
+};
+
+}  // namespace ice_ice_baby

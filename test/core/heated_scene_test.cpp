@@ -1,0 +1,162 @@
+// Heat in the whole simulation: walls, torches, steam, and what is refused.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "fixtures.h"
+#include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/simulator.h"
+
+namespace ice_ice_baby {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// A closed kettle a third full: hot floor, cold lid.
+Scene kettle() {
+  Scene scene;
+  scene.fluid.spacing_m = 0.02;
+  scene.heat.enabled = true;
+  scene.heat.speedup = 2000.0;
+  scene.heat.air_transfer_w_m2k = 0.0;
+  scene.temperature.initial_c = 100.0;
+  Block water;
+  water.min_m = Vec3d(-0.06, -0.06, 0.0);
+  water.max_m = Vec3d(0.06, 0.06, 0.1);
+  water.celsius = 98.0;
+  scene.blocks = {water};
+  Container pot;
+  pot.name = "pot";
+  pot.size_m = Vec3d(0.12, 0.12, 0.4);
+  pot.open_top = false;
+  scene.containers = {pot};
+  Plane floor;
+  floor.name = "floor";
+  floor.size_x_m = floor.size_y_m = 0.12;
+  floor.heat = WallHeat::kTemperature;
+  floor.celsius = 160.0;
+  Plane lid = floor;
+  lid.name = "lid";
+  lid.position_m.z() = 0.4;
+  lid.rpy_deg.x() = 180.0;
+  lid.celsius = 10.0;
+  scene.planes = {floor, lid};
+  return scene;
+}
+
+void run(Simulation& simulation, int frames) {
+  for (int k = 0; k < frames; ++k) simulation.advanceFrame();
+}
+
+TEST(SteamTest, WaterBoilsRisesCondensesOnTheLidAndFallsBack) {
+  const Scene scene = kettle();
+  Simulator<float> simulator(scene, 2);
+  std::size_t most = 0, condensed = 0, before = 0;
+  float highest = 0;
+  std::vector<ParticleSample> samples;
+  for (int frame = 0; frame < 600; ++frame) {
+    simulator.advanceFrame();
+    const std::size_t steam = simulator.report().steam_particles;
+    most = std::max(most, steam);
+    if (steam < before) condensed += before - steam;
+    before = steam;
+    simulator.sample(samples, 1);
+    for (const ParticleSample& p : samples) {
+      if (p.density != kSteamDensity) continue;
+      highest = std::max(highest, p.z);
+    }
+  }
+  EXPECT_GT(most, 5u);
+  EXPECT_GT(condensed, 5u);
+  EXPECT_GT(highest, 0.35f) << "steam reaches the lid";
+  EXPECT_EQ(simulator.countEscaped(), 0u);
+  EXPECT_EQ(simulator.report().non_finite, 0u);
+}
+
+TEST(SteamTest, RisesAtItsSpeedAgainstGravity) {
+  Scene scene;
+  scene.heat.enabled = true;
+  scene.blocks.emplace_back();
+  scene.blocks[0].min_m = Vec3d::Zero();
+  scene.blocks[0].max_m = Vec3d::Constant(scene.fluid.spacing_m);
+  scene.blocks[0].celsius = 300.0;
+  scene.gravity_m_s2 = Vec3d(0, 9.81, 0);
+  Simulator<double> simulator(scene, 1);
+  ASSERT_EQ(simulator.report().steam_particles, 1u);
+  run(simulator, 60);
+  const double t = 1.0, rate = scene.steam.drag_1_s, speed = scene.steam.rise_speed_m_s;
+  EXPECT_NEAR(simulator.particles().velocity.y[0], -speed * (1 - std::exp(-rate * t)), 1e-9);
+  const double way = speed * (t - (1 - std::exp(-rate * t)) / rate);
+  EXPECT_NEAR(simulator.particles().position.y[0] - scene.fluid.spacing_m / 2, -way, 0.01 * way);
+}
+
+TEST(HeatedSceneTest, SetTemperatureOfAColliderHeatsItAndLeavesTheAir) {
+  Scene scene = kettle();
+  scene.planes[0].heat = WallHeat::kInsulated;
+  scene.planes[1].heat = WallHeat::kInsulated;
+  const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
+  run(*simulation, 30);
+  const double still = simulation->report().enthalpy_j;
+  run(*simulation, 30);
+  EXPECT_NEAR(simulation->report().enthalpy_j / still, 1.0, 1e-12);
+  simulation->setTemperature(-50.0, 0.5, "floor");
+  run(*simulation, 60);
+  EXPECT_LT(simulation->report().enthalpy_j, 0.9 * still);
+  EXPECT_EQ(simulation->report().temperature_c, 100.0);
+}
+
+TEST(HeatedSceneTest, RefusedRequestsNameTheCureAndChangeNothing) {
+  const auto heated = makeSimulation(kettle(), Precision::kFloat, 1);
+  Scene cold = kettle();
+  cold.heat.enabled = false;
+  const auto plain = makeSimulation(cold, Precision::kFloat, 1);
+  run(*heated, 3);
+  const std::uint64_t before = heated->stateHash();
+  HeatRegion torch;
+  torch.power_w = 100.0;
+  torch.duration_s = 1.0;
+  EXPECT_THROW(plain->heatRegion(torch), InvalidInput);
+  EXPECT_THROW(plain->setTemperature(5.0, 0.0, "lid"), InvalidInput);
+  EXPECT_THROW(heated->setTemperature(5.0, 0.0, "lit"), InvalidInput);
+  for (double HeatRegion::*value : {&HeatRegion::power_w, &HeatRegion::duration_s}) {
+    for (const double bad : {kNan, 1e10, -1e10}) {
+      HeatRegion wrong = torch;
+      wrong.*value = bad;
+      EXPECT_THROW(heated->heatRegion(wrong), InvalidInput) << bad;
+    }
+  }
+  HeatRegion wrong = torch;
+  wrong.size_m.x() = -1.0;
+  EXPECT_THROW(heated->heatRegion(wrong), InvalidInput);
+  wrong = torch;
+  wrong.centre_m.y() = kNan;
+  EXPECT_THROW(heated->heatRegion(wrong), InvalidInput);
+  wrong = torch;
+  wrong.shape = BlockShape::kCylinder;
+  EXPECT_THROW(heated->heatRegion(wrong), InvalidInput);
+  EXPECT_EQ(heated->stateHash(), before);
+  for (std::size_t k = 0; k < kMaxHeatRegions; ++k) heated->heatRegion(torch);
+  EXPECT_THROW(heated->heatRegion(torch), InvalidInput) << "so many are at work";
+}
+
+TEST(HeatedSceneTest, OneTwoAndFourThreadsGiveTheSameBits) {
+  Scene scene = kettle();
+  Block ice = scene.blocks[0];
+  ice.min_m = Vec3d(-0.05, -0.05, 0.15);
+  ice.max_m = Vec3d(0.05, 0.05, 0.25);
+  ice.celsius = -10.0;
+  scene.blocks.push_back(ice);
+  for (const Precision precision : {Precision::kFloat, Precision::kDouble}) {
+    std::vector<std::uint64_t> hashes;
+    for (const int threads : {1, 2, 4}) {
+      const auto simulation = makeSimulation(scene, precision, threads);
+      run(*simulation, 60);
+      hashes.push_back(simulation->stateHash());
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[0], hashes[2]);
+  }
+}
+
+}  // namespace
+}  // namespace ice_ice_baby
