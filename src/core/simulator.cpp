@@ -89,10 +89,15 @@ const StepReport& Simulator<Real>::advanceFrame() {
 
 template <class Real>
 void Simulator<Real>::runSubsteps() {
+  const auto bodiesLimited = [&] {
+    return bodies_ ? bodies_->limited() + contacts_->limited() : 0;
+  };
+  const std::uint64_t limited_before = bodiesLimited();
   for (int k = 0; k < substeps_; ++k) {
     if (colliders_moving_) colliders_.setSubstep(double(k) / substeps_, double(k + 1) / substeps_);
     substep(1.0 / (scene_.solver.frame_rate_hz * substeps_));
   }
+  report_.speed_limited += bodiesLimited() - limited_before;
   if (!colliders_moving_) return;
   colliders_.endFrame();
   colliders_.setSubstep(1.0, 1.0);
