@@ -1,6 +1,7 @@
 // Heat in the whole simulation: walls, torches, steam, and what is refused.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "fixtures.h"
@@ -41,6 +42,17 @@ Scene kettle() {
   lid.rpy_deg.x() = 180.0;
   lid.celsius = 10.0;
   scene.planes = {floor, lid};
+  return scene;
+}
+
+/// The kettle with a block of ice that falls into it.
+Scene iceInKettle() {
+  Scene scene = kettle();
+  Block ice = scene.blocks[0];
+  ice.min_m = Vec3d(-0.05, -0.05, 0.15);
+  ice.max_m = Vec3d(0.05, 0.05, 0.25);
+  ice.celsius = -10.0;
+  scene.blocks.push_back(ice);
   return scene;
 }
 
@@ -140,12 +152,7 @@ TEST(HeatedSceneTest, RefusedRequestsNameTheCureAndChangeNothing) {
 }
 
 TEST(HeatedSceneTest, OneTwoAndFourThreadsGiveTheSameBits) {
-  Scene scene = kettle();
-  Block ice = scene.blocks[0];
-  ice.min_m = Vec3d(-0.05, -0.05, 0.15);
-  ice.max_m = Vec3d(0.05, 0.05, 0.25);
-  ice.celsius = -10.0;
-  scene.blocks.push_back(ice);
+  const Scene scene = iceInKettle();
   for (const Precision precision : {Precision::kFloat, Precision::kDouble}) {
     std::vector<std::uint64_t> hashes;
     for (const int threads : {1, 2, 4}) {
@@ -155,6 +162,65 @@ TEST(HeatedSceneTest, OneTwoAndFourThreadsGiveTheSameBits) {
     }
     EXPECT_EQ(hashes[0], hashes[1]);
     EXPECT_EQ(hashes[0], hashes[2]);
+  }
+}
+
+TEST(HeatedExtremesTest, NothingBecomesNotFiniteOrEscapes) {
+  using Change = void (*)(Scene&);
+  const std::vector<std::pair<const char*, Change>> cases = {
+      {"speedup 1e7", [](Scene& s) { s.heat.speedup = 1e7; }},
+      {"no heat passes", [](Scene& s) { s.heat.speedup = 0.0; }},
+      {"heavy ice", [](Scene& s) { s.ice.density_ratio = 2.0; }},
+      {"light ice", [](Scene& s) { s.ice.density_ratio = 0.5; }},
+      {"no hysteresis", [](Scene& s) { s.heat.hysteresis_c = 0.0; }},
+      {"tiny latent heats", [](Scene& s) { s.heat.fusion_j_kg = s.heat.vaporisation_j_kg = 1.0; }},
+      {"tiny capacities",
+       [](Scene& s) { s.heat.ice_capacity_j_kgk = s.heat.water_capacity_j_kgk = 1.0; }},
+      {"conducts as no metal does", [](Scene& s) { s.heat.water_conductivity_w_mk = 1e4; }},
+      {"conducts nothing",
+       [](Scene& s) { s.heat.ice_conductivity_w_mk = s.heat.water_conductivity_w_mk = 0.0; }},
+      {"air that takes all", [](Scene& s) { s.heat.air_transfer_w_m2k = 1e6; }},
+      {"1000 degrees below", [](Scene& s) { s.planes[0].celsius = 1000.0; }},
+      {"a flux of 10 MW",
+       [](Scene& s) {
+         s.planes[0].heat = WallHeat::kFlux;
+         s.planes[0].flux_w_m2 = -1e7;
+       }},
+      {"ice at 300 m/s", [](Scene& s) { s.blocks[1].velocity_m_s = Vec3d(300, 200, -1000); }},
+      {"ice that spins", [](Scene& s) { s.blocks[1].spin_rad_s = Vec3d(1000, -900, 800); }},
+      {"1000 g", [](Scene& s) { s.gravity_m_s2 = Vec3d(0, 0, -9810); }},
+      {"gravity aside", [](Scene& s) { s.gravity_m_s2 = Vec3d(100, 30, 5); }},
+      {"ice in the water",
+       [](Scene& s) {
+         s.blocks[1].min_m.z() = 0.0;
+         s.blocks[1].max_m.z() = 0.1;
+       }},
+      {"one substep, one iteration", [](Scene& s) { s.solver.substeps = s.solver.iterations = 1; }},
+      {"no iterations", [](Scene& s) { s.solver.iterations = 0; }},
+      {"elastic ice", [](Scene& s) { s.ice.compliance_m_n = 1e-4; }},
+      {"stiff ice that breaks",
+       [](Scene& s) {
+         s.ice.compliance_m_n = 1e-12;
+         s.ice.break_strain = 0.01;
+       }},
+      {"steam as fast as sound", [](Scene& s) { s.steam.rise_speed_m_s = 100.0; }},
+      {"fifty frames a minute", [](Scene& s) { s.solver.frame_rate_hz = 1.0; }},
+  };
+  for (const auto& [name, change] : cases) {
+    SCOPED_TRACE(name);
+    Scene scene = iceInKettle();
+    change(scene);
+    const auto simulation = makeSimulation(scene, Precision::kFloat, 2);
+    run(*simulation, 90);
+    std::vector<ParticleSample> samples;
+    simulation->sample(samples);
+    for (const ParticleSample& p : samples) {
+      ASSERT_TRUE(std::isfinite(p.x + p.y + p.z + p.vx + p.vy + p.vz)) << p.id;
+      ASSERT_GE(p.temperature_c, kTemperatureRange_c.min - 1e-3);
+      ASSERT_LE(p.temperature_c, kTemperatureRange_c.max + 1e-3);
+    }
+    EXPECT_EQ(simulation->countEscaped(), 0u);
+    EXPECT_EQ(simulation->report().non_finite, 0u);
   }
 }
 
