@@ -169,5 +169,64 @@ TEST(SpringsTest, RenumberFollowsASort) {
   }
 }
 
+/// Two particles of elastic ice a spacing apart, joined by one spring.
+struct ElasticPair {
+  static constexpr double kMass_kg = 0.008;
+  static constexpr double kRest_m = 0.02;
+
+  ElasticPair()
+      : cloud({Vec3d::Zero(), Vec3d(kRest_m, 0, 0)}, 0.05, 0.01), springs(SpringParams()) {
+    Scene scene;
+    scene.heat.enabled = true;
+    Phases<double> phases(scene, 2);
+    const EnthalpyCurve curve(scene.heat);
+    phases.update(curve, {curve.enthalpy(-5.0), curve.enthalpy(-5.0)}, 1.0);
+    springs.freeze(cloud.particles, cloud.neighbours, phases, 0.03);
+  }
+  double length() const {
+    const auto& x = cloud.particles.predicted;
+    return (x.at(1) - x.at(0)).norm();
+  }
+
+  /// Pulls with a force on each end until nothing moves.
+  void pull(double newton, double compliance_m_n, double dt_s, int iterations) {
+    VectorField<double>& x = cloud.particles.predicted;
+    const double left = x.x[0] < x.x[1] ? -1.0 : 1.0;
+    for (int substep = 0; substep < 20000; ++substep) {
+      const double by = left * newton / kMass_kg * dt_s * dt_s;
+      x.add(0, Vec3d(by, 0, 0));
+      x.add(1, Vec3d(-by, 0, 0));
+      for (int k = 0; k < iterations; ++k) {
+        springs.correctElastic(x, compliance_m_n, kMass_kg, dt_s, k == 0);
+      }
+    }
+  }
+
+  Cloud<double> cloud;
+  Springs<double> springs;
+};
+
+TEST(ElasticSpringTest, StretchesByComplianceTimesForceWhateverTheStep) {
+  constexpr double kCompliance_m_n = 1e-3, kForce_n = 2.0;
+  for (const double dt_s : {1.0 / 60, 1.0 / 600}) {
+    for (const int iterations : {1, 4}) {
+      ElasticPair pair;
+      ASSERT_EQ(pair.springs.size(), 1u);
+      pair.pull(kForce_n, kCompliance_m_n, dt_s, iterations);
+      EXPECT_NEAR(pair.length() - ElasticPair::kRest_m, kCompliance_m_n * kForce_n, 1e-6)
+          << dt_s << " s, " << iterations;
+    }
+  }
+}
+
+TEST(ElasticSpringTest, BreaksAboveItsStrainAndNotBelow) {
+  ElasticPair pair;
+  pair.pull(2.0, 1e-3, 1.0 / 60, 2);  // by a tenth of its length
+  pair.springs.breakStretched(pair.cloud.particles.predicted, 0.11);
+  EXPECT_EQ(pair.springs.size(), 1u);
+  pair.springs.breakStretched(pair.cloud.particles.predicted, 0.09);
+  EXPECT_TRUE(pair.springs.empty());
+}
+
 }  // namespace
 }  // namespace ice_ice_baby
