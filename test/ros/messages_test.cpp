@@ -7,10 +7,10 @@
 #include <set>
 
 #include "heat_status.h"
+#include "ice_ice_baby/particle_colour.h"
 #include "ice_ice_baby/scene_loader.h"
 #include "markers.h"
 #include "particle_cloud.h"
-#include "particle_colour.h"
 #include "state_message.h"
 
 namespace ice_ice_baby {

@@ -1,4 +1,4 @@
-#include "particle_colour.h"
+#include "ice_ice_baby/particle_colour.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-struct Colour {
-  float red, green, blue;
-};
-
 constexpr Colour kWater{0.13f, 0.46f, 0.86f};
-constexpr Colour kIce{0.90f, 0.96f, 1.0f};
-constexpr Colour kSteam{0.86f, 0.87f, 0.89f};
 
 struct Stop {
   float celsius;
@@ -24,16 +18,17 @@ constexpr Stop kStops[] = {{0.0f, {0.04f, 0.16f, 0.56f}},
                            {60.0f, {0.56f, 0.40f, 0.72f}},
                            {100.0f, {0.90f, 0.33f, 0.24f}}};
 
-/// @param share of `b`, held within [0, 1]
+std::uint32_t packed(Colour colour) {
+  const auto byte = [](float part) { return static_cast<std::uint32_t>(std::lround(255 * part)); };
+  return byte(colour.red) << 16 | byte(colour.green) << 8 | byte(colour.blue);
+}
+
+}  // namespace
+
 Colour mixed(Colour a, Colour b, float share) {
   const float s = std::min(std::max(share, 0.0f), 1.0f);
   return {a.red + s * (b.red - a.red), a.green + s * (b.green - a.green),
           a.blue + s * (b.blue - a.blue)};
-}
-
-std::uint32_t packed(Colour colour) {
-  const auto byte = [](float part) { return static_cast<std::uint32_t>(std::lround(255 * part)); };
-  return byte(colour.red) << 16 | byte(colour.green) << 8 | byte(colour.blue);
 }
 
 Colour waterColour(float celsius) {
@@ -47,15 +42,13 @@ Colour waterColour(float celsius) {
   return colour;
 }
 
-}  // namespace
-
 std::uint32_t particleColour(float ice_fraction) {
-  return packed(mixed(kWater, kIce, ice_fraction));
+  return packed(mixed(kWater, kIceColour, ice_fraction));
 }
 
 std::uint32_t heatColour(const ParticleSample& sample) {
-  if (sample.density <= kSteamDensity) return packed(kSteam);
-  return packed(mixed(waterColour(sample.temperature_c), kIce, sample.ice_fraction));
+  if (sample.density <= kSteamDensity) return packed(kSteamColour);
+  return packed(mixed(waterColour(sample.temperature_c), kIceColour, sample.ice_fraction));
 }
 
 }  // namespace ice_ice_baby

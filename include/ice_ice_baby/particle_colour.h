@@ -1,0 +1,31 @@
+// Colours of particles, for point clouds and for pictures.
+#pragma once
+
+#include <cstdint>
+
+#include "ice_ice_baby/simulation.h"
+
+namespace ice_ice_baby {
+
+/// Parts from 0 to 1.
+struct Colour {
+  float red, green, blue;
+};
+
+constexpr Colour kIceColour{0.90f, 0.96f, 1.0f};
+constexpr Colour kSteamColour{0.86f, 0.87f, 0.89f};
+
+/// @param share of `b`, held within [0, 1]
+Colour mixed(Colour a, Colour b, float share);
+
+/// From deep blue at 0 degrees C over the usual blue at 20 to red at 100.
+Colour waterColour(float celsius);
+
+/// Without heat: water is blue, ice nearly white. Packed as 0x00RRGGBB.
+std::uint32_t particleColour(float ice_fraction);
+
+/// With heat: water by its temperature, ice nearly white by its fraction, steam light grey. Packed
+/// as 0x00RRGGBB.
+std::uint32_t heatColour(const ParticleSample& sample);
+
+}  // namespace ice_ice_baby
