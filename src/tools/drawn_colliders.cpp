@@ -73,6 +73,19 @@ void drawEdges(const Container& c, const Pose<float>& pose, Canvas& canvas) {
   }
 }
 
+Eigen::AlignedBox3f boundsOfColliders(const Scene& scene) {
+  Eigen::AlignedBox3f bounds;
+  for (const Container& c : scene.containers) {
+    const Pose<float> pose = c.pose().cast<float>();
+    for (int k = 0; k < 8; ++k) bounds.extend(pose.toWorld(boxCorner(c, k)));
+  }
+  for (const Sphere& s : scene.spheres) {
+    const Eigen::Vector3f r = Eigen::Vector3f::Constant(float(s.radius_m));
+    bounds.extend(s.position_m.cast<float>() - r).extend(s.position_m.cast<float>() + r);
+  }
+  return bounds;
+}
+
 }  // namespace
 
 Eigen::Vector3f boxCorner(const Container& container, int k) {
@@ -82,19 +95,26 @@ Eigen::Vector3f boxCorner(const Container& container, int k) {
 }
 
 Eigen::AlignedBox3f boundsOf(const Scene& scene) {
-  Eigen::AlignedBox3f bounds;
+  Eigen::AlignedBox3f bounds = boundsOfColliders(scene);
   for (const Block& block : scene.blocks) {
     bounds.extend(block.min_m.cast<float>()).extend(block.max_m.cast<float>());
   }
-  for (const Container& c : scene.containers) {
-    const Pose<float> pose = c.pose().cast<float>();
-    for (int k = 0; k < 8; ++k) bounds.extend(pose.toWorld(boxCorner(c, k)));
-  }
-  for (const Sphere& s : scene.spheres) {
-    const Eigen::Vector3f r = Eigen::Vector3f::Constant(float(s.radius_m));
-    bounds.extend(s.position_m.cast<float>() - r).extend(s.position_m.cast<float>() + r);
-  }
   if (bounds.isEmpty()) bounds.extend(Eigen::Vector3f::Zero()).extend(Eigen::Vector3f::Ones());
+  return bounds;
+}
+
+Eigen::AlignedBox3f stageOf(const Scene& scene) {
+  if (scene.containers.empty()) return boundsOf(scene);
+  Eigen::AlignedBox3f bounds = boundsOfColliders(scene);
+  for (const Plane& plane : scene.planes) {
+    if (plane.infinite()) continue;
+    const Eigen::Vector3f half = halfSize(scene, plane);
+    const Pose<float> pose = plane.pose().cast<float>();
+    for (int k = 0; k < 8; ++k) {
+      const Eigen::Vector3f side(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 0 : -2);
+      bounds.extend(pose.toWorld(half.cwiseProduct(side)));
+    }
+  }
   return bounds;
 }
 

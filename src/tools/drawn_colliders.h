@@ -8,6 +8,9 @@ namespace ice_ice_baby {
 /// Box that holds everything in the scene that has an end.
 Eigen::AlignedBox3f boundsOf(const Scene& scene);
 
+/// Box that holds its colliders but grounds without end; without a container what boundsOf has.
+Eigen::AlignedBox3f stageOf(const Scene& scene);
+
 /// Corner k of the inside of a container: bits for x, y, z.
 Eigen::Vector3f boxCorner(const Container& container, int k);
 

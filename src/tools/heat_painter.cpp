@@ -33,13 +33,13 @@ float shineOn(const Eigen::Vector3f& normal, float sharp) {
   return std::pow(std::max(0.0f, -normal.dot(Eigen::Vector3f(0.25f, 0.55f, 0.797f))), sharp);
 }
 
-std::string captionOf(const StepReport& report, const Scene& scene) {
-  char text[160];
-  std::snprintf(text, sizeof text, "%s  %.1f s  mean %.1f ^C  ice %.0f %%", scene.name.c_str(),
-                report.time_s, report.mean_celsius, 100 * report.strictness);
+std::string captionOf(const StepReport& report) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%5.1f s   mean %.1f ^C   ice %.0f %%", report.time_s,
+                report.mean_celsius, 100 * report.strictness);
   std::string line = text;
   const auto add = [&](const char* what, std::size_t count) {
-    if (count > 0) line += "  " + std::string(what) + " " + std::to_string(count);
+    if (count > 0) line += "   " + std::string(what) + " " + std::to_string(count);
   };
   add("bodies", report.bodies);
   add("steam", report.steam_particles);
@@ -52,9 +52,9 @@ HeatPainter::HeatPainter(const Scene& scene, Canvas& canvas)
     : spacing_m_(float(scene.fluid.spacing_m)), ice_(spacing_m_), water_(spacing_m_) {
   const double volume_m3 = double(particleCount(scene)) * std::pow(scene.fluid.spacing_m, 3);
   clear_m_ = float(std::cbrt(volume_m3));
-  const Eigen::AlignedBox3f bounds = boundsOf(scene);
+  const Eigen::AlignedBox3f bounds = stageOf(scene);
   const Eigen::Vector3f into = Eigen::Vector3f(0.42f, 1.0f, -0.36f).normalized();
-  // Back until the picture holds all of it, with room for the line of text.
+  // Back until the picture holds all of it, with room for the text.
   for (float away = 0.5f * bounds.diagonal().norm();; away *= 1.02f) {
     canvas.look(bounds.center() - away * into, into);
     bool inside = true;
@@ -81,8 +81,9 @@ void HeatPainter::paint(const Simulation& simulation, const std::vector<Particle
   canvas.onlyNearer(water_.depths());
   paintAir(simulation, particles, canvas);
   canvas.everything();
-  drawText(canvas, 28, canvas.height() - 52, 4, captionOf(simulation.report(), simulation.scene()),
-           {0.9f, 0.93f, 0.96f});
+  constexpr Colour kText{0.9f, 0.93f, 0.96f};
+  drawText(canvas, 28, 28, 4, simulation.scene().name, kText);
+  drawText(canvas, 28, canvas.height() - 52, 4, captionOf(simulation.report()), kText);
 }
 
 void HeatPainter::paintIce(const std::vector<ParticleSample>& particles, Canvas& canvas) {
@@ -141,12 +142,12 @@ void HeatPainter::paintAir(const Simulation& simulation,
   for (const ParticleSample& p : particles) {
     if (!isSteam(p)) continue;
     const Projected at = canvas.project({p.x, p.y, p.z});
-    const float r = std::max(1.0f, 0.8f * spacing_m_ * at.scale);
+    const float r = std::max(1.0f, 0.9f * spacing_m_ * at.scale);
     for (int y = int(at.y - r); y <= int(at.y + r); ++y) {
       for (int x = int(at.x - r); x <= int(at.x + r); ++x) {
         const float u = (float(x) + 0.5f - at.x) / r, v = (float(y) + 0.5f - at.y) / r;
         const float rest = 1 - u * u - v * v;
-        if (rest > 0) canvas.blend(x, y, at.depth, kSteamColour, 0.45f * rest);
+        if (rest > 0) canvas.blend(x, y, at.depth, kSteamColour, 0.55f * rest);
       }
     }
   }

@@ -14,7 +14,7 @@ class HeatPainter {
   HeatPainter(const Scene& scene, Canvas& canvas);
 
   /// Opaque ice and colliders, water over them through which they show, tinted by its temperature,
-  /// puffs of steam, and a line of text.
+  /// puffs of steam, and lines of text.
   void paint(const Simulation& simulation, const std::vector<ParticleSample>& particles,
              Canvas& canvas);
 
