@@ -15,8 +15,10 @@ constexpr char kSeriesColumns[] =
     "max_speed_m_s,min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,mean_x_m,mean_y_m,mean_z_m,"
     "rms_x_m,rms_y_m,rms_z_m,momentum_x_kg_m_s,momentum_y_kg_m_s,momentum_z_kg_m_s,"
     "angular_momentum_x_kg_m2_s,angular_momentum_y_kg_m2_s,angular_momentum_z_kg_m2_s,"
-    "temperature_c,strictness,springs\n";
-constexpr char kParticleColumns[] = "id,x,y,z,vx,vy,vz,density,pressure_pa\n";
+    "temperature_c,strictness,springs,mean_celsius,enthalpy_j,heat_speedup,bodies,bodies_asleep,"
+    "ice_particles,steam_particles\n";
+constexpr char kParticleColumns[] = 
+    "id,x,y,z,vx,vy,vz,density,pressure_pa,temperature_c,ice_fraction\n";
 
 void append(std::string& row, double value) { row += (row.empty() ? "" : ",") + numberText(value); }
 
@@ -56,9 +58,12 @@ void SeriesWriter::add(const FrameView& frame) {
                               moments.momentum_kg_m_s, moments.angular_momentum_kg_m2_s}) {
     append(row, vector);
   }
-  append(row, report.temperature_c);
-  append(row, report.strictness);
-  append(row, double(report.springs));
+  for (const double value :
+       {report.temperature_c, report.strictness, double(report.springs), report.mean_celsius,
+        report.enthalpy_j, report.heat_speedup, double(report.bodies), double(report.bodies_asleep),
+        double(report.ice_particles), double(report.steam_particles)}) {
+    append(row, value);
+  }
   file_ << row << "\n" << std::flush;  // a run that is stopped leaves every frame it finished
   requireGood(file_, "series", path_);
 }
@@ -70,7 +75,8 @@ void writeParticles(const std::string& path, const Simulation& simulation) {
   file << kParticleColumns;
   for (const ParticleSample& p : particles) {
     std::string row = std::to_string(p.id);
-    for (const float value : {p.x, p.y, p.z, p.vx, p.vy, p.vz, p.density, p.pressure_pa}) {
+    for (const float value : {p.x, p.y, p.z, p.vx, p.vy, p.vz, p.density, p.pressure_pa,
+                              p.temperature_c, p.ice_fraction}) {
       row += "," + floatText(value);
     }
     file << row << "\n";
