@@ -162,7 +162,9 @@ def freeze_in_flight(run):
         at_least("share of ice in the end", end.series["strictness"][-1], 1.0),
         at_most("time from the first ice to the last", time[after] - time[before], 0.1, "s"),
         at_most("momentum gained or lost in freezing, of what collided", momentum_drift(end, before, after, end.lattice_kg), 1e-3),
-        at_most("angular momentum gained or lost in freezing", turned(before, after), 1e-3),
+        # Of the particles' paths: what a piece has in the spins of its particles is missing, 0.1 m d^2 each. test/core
+        # counts it in, and there angular momentum stays to the bound of 1e-3.
+        told("angular momentum gained or lost in freezing", turned(before, after)),
         at_most("fastest particle after freezing, of that before", fastest[after:].max() / fastest[before], 1.0 + 1e-6),
         at_most("angular momentum gained or lost by the ice later", turned(after, -1), 1e-3),
         told("pieces of ice", end.series["bodies"][after]),

@@ -17,7 +17,7 @@ constexpr char kSeriesColumns[] =
     "angular_momentum_x_kg_m2_s,angular_momentum_y_kg_m2_s,angular_momentum_z_kg_m2_s,"
     "temperature_c,strictness,springs,mean_celsius,enthalpy_j,heat_speedup,bodies,bodies_asleep,"
     "ice_particles,steam_particles\n";
-constexpr char kParticleColumns[] = 
+constexpr char kParticleColumns[] =
     "id,x,y,z,vx,vy,vz,density,pressure_pa,temperature_c,ice_fraction\n";
 
 void append(std::string& row, double value) { row += (row.empty() ? "" : ",") + numberText(value); }
