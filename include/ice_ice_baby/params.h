@@ -231,7 +231,8 @@ struct SteamParams {
 
 template <class Visitor>
 void describe(SteamParams& p, Visitor&& visit) {
-  visit("rise_speed_m_s", p.rise_speed_m_s, Range{0.0, 100.0}, "at which steam rises in still air");
+  visit("rise_speed_m_s", p.rise_speed_m_s, Range{0.0, 100.0},
+        "at which steam rises in still air, on average over its puffs");
   visit("drag_1_s", p.drag_1_s, Range{0.01, 1e4}, "rate at which it takes on that speed");
   visit("transfer_w_m2k", p.transfer_w_m2k, Range{0.0, 1e6},
         "heat transfer between a puff of steam and the air");

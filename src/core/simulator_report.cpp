@@ -136,12 +136,19 @@ Simulation::DensityError Simulator<Real>::measureDensityError() {
   arena_.execute([&] {
     Neighbours<Real> fresh(h, 0);
     VectorField<Real> sorted = particles_.position;
-    permute(sorted, fresh.sortOrder(particles_.position), density);
+    const std::vector<Index> order = fresh.sortOrder(particles_.position);
+    permute(sorted, order, density);
     fresh.build(sorted);
+    std::vector<Real> share(sorted.size(), Real(1));
+    if (phases_)
+      std::transform(order.begin(), order.end(), share.begin(),
+                     [&](Index i) { return phases_->share()[i]; });
     parallelFor(sorted.size(), [&](std::size_t i) {
       const Vec3<Real> xi = sorted.at(i);
-      Real sum = kernel.w(0);
-      for (const Index j : fresh.of(i)) sum += kernel.w((xi - sorted.at(j)).norm());
+      density[i] = 0;
+      if (share[i] == 0) return;  // steam has no density to keep
+      Real sum = share[i] * kernel.w(0);
+      for (const Index j : fresh.of(i)) sum += share[j] * kernel.w((xi - sorted.at(j)).norm());
       density[i] = static_cast<Real>(volume) * sum + yardstick_walls_->at(xi).value;
     });
   });

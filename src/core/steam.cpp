@@ -6,6 +6,16 @@
 
 namespace ice_ice_baby {
 
+namespace {
+
+/// Puffs rise by half faster or slower than each other, as what boils together does not stay so:
+/// 1/2 ... 3/2, spread evenly by the golden ratio, 1 for the first.
+double haste(std::uint32_t id) {
+  return 0.5 + std::fmod(0.5 + 0.6180339887498949 * double(id), 1.0);
+}
+
+}  // namespace
+
 template <class Real>
 void Steam<Real>::predict(Particles<Real>& particles, const Phases<Real>& phases,
                           const Vec3d& gravity_m_s2, double dt_s) const {
@@ -18,7 +28,7 @@ void Steam<Real>::predict(Particles<Real>& particles, const Phases<Real>& phases
   parallelFor(particles.size(), [&](std::size_t i) {
     if (!phases.steam(i)) return;
     Vec3<Real> v = particles.velocity.at(i) - fallen;
-    v += taken * (risen - v);
+    v += taken * (static_cast<Real>(haste(particles.id[i])) * risen - v);
     particles.velocity.set(i, v);
     particles.predicted.set(i, particles.position.at(i) + dt * v);
   });
