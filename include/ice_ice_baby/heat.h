@@ -82,7 +82,7 @@ class Heat {
   void meetWalls(const VectorField<Real>& x, std::size_t first, std::size_t last,
                  const HeatStep<Real>& step);
   void scaleBareArea();
-  Real bareArea_m2(const Vec3<Real>& open_m2) const;
+  Real bareArea_m2(const Vec3<Real>& open_m2, Real links_m) const;
   double airTransfer_w_m2k(double conductivity_w_mk) const;
   Real relaxation_kg_s(std::size_t i, Real links_m) const;
   double findLongestPass_s() const;
@@ -105,6 +105,8 @@ class Heat {
   double touch_w_k_;                        ///< between it and a wall
   Real noise_m2_ = 0;                       ///< bare area below this counts as none
   Real bare_scale_ = 1;
+  Real drop_links_m_ = 0;  ///< links of less length in all make a drop
+  Real drop_m2_ = 0;       ///< surface of a drop of one particle
   int passes_ = 0;
   double longest_pass_s_ = 0.0;
   double reached_speedup_ = 0.0;

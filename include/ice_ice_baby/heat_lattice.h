@@ -18,6 +18,7 @@ class HeatLattice {
   double volume_m3;  ///< V of a particle
   double mass_kg;
   double moment_1_m3;  ///< S
+  double links_m;      ///< L of all pairs of a particle in the bulk together
   double area_m2;      ///< V / d: what a particle takes of a flat surface
 
   /// L of two particles at a distance, m.

@@ -19,12 +19,16 @@ class Phases {
   /// All particles are water of the volume that their enthalpy gives them, until the first update.
   Phases(const Scene& scene, std::size_t particles);
 
-  /// Follows the enthalpies, with the hysteresis of the scene. Volumes follow within half a second,
-  /// so that nothing pops.
+  /// Follows the enthalpies, with the hysteresis of the scene. Water turns to ice only once it has
+  /// the volume of ice.
   /// @param enthalpy_j_kg (n)
-  /// @param dt_s simulated time since the last update; infinite: volumes follow at once
   /// @returns whether any particle changed its phase
-  bool update(const EnthalpyCurve& curve, const std::vector<double>& enthalpy_j_kg, double dt_s);
+  bool update(const EnthalpyCurve& curve, const std::vector<double>& enthalpy_j_kg);
+
+  /// Lets volumes follow the enthalpies of the latest update: what freezing swells or thawing
+  /// shrinks takes half a second, as does what condenses, so that nothing is thrown.
+  /// @param dt_s simulated time; infinite: at once
+  void swell(double dt_s);
 
   /// Finds out which ice touches water; to be called when phases or neighbours have changed.
   void findWet(const Neighbours<Real>& neighbours);
@@ -54,11 +58,14 @@ class Phases {
   const std::vector<std::uint8_t>& flows() const { return flows_; }
   /// (n) 1 where water presses: what flows, and the ice beside it.
   const std::vector<std::uint8_t>& wet() const { return wet_; }
+  /// (n) 1 for those and the ice beside them, on which they press in turn: without it what a wet
+  /// particle takes from dry ice has no reaction.
+  const std::vector<std::uint8_t>& pressed() const { return pressed_; }
 
   std::size_t bytes() const;
 
  private:
-  Phase next(Phase phase, const EnthalpyCurve& curve, double enthalpy_j_kg) const;
+  Phase next(std::size_t i, const EnthalpyCurve& curve, double enthalpy_j_kg) const;
 
   double freeze_below_c_;
   double melt_above_c_;
@@ -66,10 +73,13 @@ class Phases {
   bool elastic_;
   std::vector<Phase> phase_;
   std::vector<Real> share_;
+  std::vector<Real> full_share_;  ///< (n) where the share is going
+  bool swelling_ = false;         ///< whether any is not there yet
   std::vector<Real> slush_;
   std::vector<std::uint8_t> steam_;
   std::vector<std::uint8_t> flows_;
   std::vector<std::uint8_t> wet_;
+  std::vector<std::uint8_t> pressed_;
   std::vector<std::uint8_t> new_ice_;
   std::vector<Index> stuck_to_;
   std::size_t ice_count_ = 0;

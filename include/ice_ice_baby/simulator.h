@@ -75,6 +75,7 @@ class Simulator final : public Simulation {
   void wake();
   void joinSheets();
   void advanceHeat();
+  void beginPhases();
   void updatePhases(double dt_s);
   void updateIce();
   void stickToColdWalls();

@@ -137,7 +137,7 @@ void DensityConstraint<Real>::computeDeltaP(const Particles<Real>& particles,
     for (std::size_t i = run.first; i < run.last; ++i) finishDeltaP(i);
   };
   parallelForRanges(particles.size(), [&](std::size_t first, std::size_t last) {
-    forEachRun({first, last}, phases_ ? &phases_->wet() : nullptr, computeRun,
+    forEachRun({first, last}, phases_ ? &phases_->pressed() : nullptr, computeRun,
                [&](std::size_t i) { delta_p_.set(i, Vec3<Real>::Zero()); });
   });
   begun_ = true;

@@ -68,6 +68,11 @@ void Heat<Real>::scaleBareArea() {
   }
   noise_m2_ = static_cast<Real>(kNoise * top * lattice_.area_m2);
   bare_scale_ = static_cast<Real>(1 / counted);
+
+  // A drop alone is bare all round, which the vectors of its few links do not add up to.
+  constexpr double kFewLinks = 0.3;  // of those in the bulk; the corner of a cube has more
+  drop_links_m_ = static_cast<Real>(kFewLinks * lattice_.links_m);
+  drop_m2_ = static_cast<Real>(std::cbrt(36 * M_PI * lattice_.volume_m3 * lattice_.volume_m3));
 }
 
 template <class Real>
@@ -110,7 +115,7 @@ void Heat<Real>::measure(const Particles<Real>& particles, const Neighbours<Real
     meetWalls(x, first, last, step);
     for (std::size_t i = first; i < last; ++i) {
       const bool steam = step.steam && (*step.steam)[i];
-      bare_m2_[i] = steam ? Real(0) : bareArea_m2(open_m2_.at(i));
+      bare_m2_[i] = steam ? Real(0) : bareArea_m2(open_m2_.at(i), relaxation_[i]);
       relaxation_[i] = steam ? Real(0) : relaxation_kg_s(i, relaxation_[i]);
     }
   });
@@ -139,10 +144,11 @@ void Heat<Real>::meetWalls(const VectorField<Real>& x, std::size_t first, std::s
 
 /// Area through which air and a particle exchange heat.
 template <class Real>
-Real Heat<Real>::bareArea_m2(const Vec3<Real>& open_m2) const {
+Real Heat<Real>::bareArea_m2(const Vec3<Real>& open_m2, Real links_m) const {
   if (params_.air_transfer_w_m2k == 0.0) return 0;
   const Real area = open_m2.norm();
-  return area < noise_m2_ ? Real(0) : bare_scale_ * area;
+  const Real share = std::max(Real(0), 1 - links_m / drop_links_m_);
+  return std::max(share * drop_m2_, area < noise_m2_ ? Real(0) : bare_scale_ * area);
 }
 
 /// Conductance to the air per area. Half a spacing of water lies between the centre of a particle

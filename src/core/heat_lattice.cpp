@@ -10,6 +10,7 @@ HeatLattice::HeatLattice(const Scene& scene)
       volume_m3(particleVolume_m3(scene.fluid, support_m)),
       mass_kg(particleMass_kg(scene.fluid, support_m)),
       moment_1_m3(0.0),
+      links_m(0.0),
       area_m2(volume_m3 / spacing_m),
       kernel_(support_m) {
   const int reach = static_cast<int>(support_m / spacing_m) + 1;
@@ -19,9 +20,11 @@ HeatLattice::HeatLattice(const Scene& scene)
         const double r = spacing_m * std::sqrt(double(x * x + y * y + z * z));
         const double along = spacing_m * x;
         if (x != 0) moment_1_m3 -= kernel_.slope(r) / r * along * along;
+        if (r > 0.0) links_m -= 2 * volume_m3 * kernel_.slope(r) / r;
       }
     }
   }
+  links_m /= moment_1_m3;
 }
 
 double HeatLattice::length_m(double distance_m) const {

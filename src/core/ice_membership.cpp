@@ -34,10 +34,10 @@ constexpr double kLookoutCosine = 0.7;
 constexpr double kHideReach_d = 1.85;
 
 /// Inertia of a particle about its own centre, without which a row of them could spin about its
-/// axis for nothing: alone it is a ball, in company so little that what its body spins is what its
-/// particles carry.
+/// axis for nothing: in company so little that what its body spins is what its particles carry.
+/// Alone so much that it does not turn: a grain of ice lies where a ball would roll away.
 double ownInertia(double particle_kg, double radius_m, Index count) {
-  const double share = count == 1 ? 1.0 : 0.04;
+  const double share = count == 1 ? 1e6 : 0.04;
   return share * 0.4 * particle_kg * radius_m * radius_m;
 }
 

@@ -59,7 +59,7 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
   arena_.execute([&] {
     findNeighbours();
     joinSheets();
-    if (heat_) updatePhases(std::numeric_limits<double>::infinity());
+    if (heat_) beginPhases();
     density_->computeLambda(particles_, neighbours_);
     updateReport();
   });

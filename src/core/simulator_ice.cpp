@@ -1,5 +1,6 @@
 // What heat brings into the step: steam and rigid ice in a substep, heat and phases once a frame.
 #include <algorithm>
+#include <limits>
 
 #include "ice_ice_baby/simulator.h"
 
@@ -13,9 +14,10 @@ constexpr double kPhasesWait_s = 0.05;
 
 }  // namespace
 
-/// Steam rises, and members of a body fly with it.
+/// Volumes change, steam rises, and members of a body fly with it.
 template <class Real>
 void Simulator<Real>::predictSteamAndIce(double dt_s) {
+  phases_->swell(dt_s);
   if (steam_) steam_->predict(particles_, *phases_, scene_.gravity_m_s2, dt_s);
   if (bodies_) bodies_->predict(particles_, colliders_, scene_.gravity_m_s2, dt_s);
 }
@@ -58,9 +60,17 @@ void Simulator<Real>::advanceHeat() {
   phases_due_s_ = 0.0;
 }
 
+/// At the start everything has the volume of what it is.
+template <class Real>
+void Simulator<Real>::beginPhases() {
+  phases_->update(heat_->curve(), heat_->enthalpy());
+  phases_->swell(std::numeric_limits<double>::infinity());
+  updatePhases(0.0);
+}
+
 template <class Real>
 void Simulator<Real>::updatePhases(double dt_s) {
-  const bool changed = phases_->update(heat_->curve(), heat_->enthalpy(), dt_s);
+  const bool changed = phases_->update(heat_->curve(), heat_->enthalpy());
   if (changed) updateIce();
   const IceParams& ice = scene_.ice;
   if (springsCorrect() && ice.break_strain > 0.0) {

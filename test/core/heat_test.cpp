@@ -193,6 +193,20 @@ TEST(HeatTest, TellsWhatSpeedupItReached) {
   EXPECT_GT(still.heat.reachedSpeedup(), 1e4);
 }
 
+/// Between its centre and the air lie half a spacing of water and the film of the air.
+TEST(HeatTest, ADropAloneTakesOnTheTemperatureOfTheAir) {
+  Scene scene = warmCube(1, 20.0);
+  scene.heat.air_transfer_w_m2k = 50.0;
+  StillHeat<double> still(scene);
+  const double volume = particleVolume_m3(scene.fluid, scene.supportRadius_m());
+  const double area = std::cbrt(36 * M_PI * volume * volume);
+  const double across = 1 / (1 / 50.0 + 0.01 / scene.heat.water_conductivity_w_mk);
+  const double mass = particleMass_kg(scene.fluid, scene.supportRadius_m());
+  const double rate = across * area / (mass * scene.heat.water_capacity_j_kgk);
+  still.run(60.0, 10.0);
+  EXPECT_NEAR(still.heat.temperature(0), 10.0 + 10.0 * std::exp(-rate * 60.0), 0.1);
+}
+
 TEST(HeatTest, NoTimeAndNoSpeedupChangeNothing) {
   for (const double speedup : {0.0, 100.0}) {
     Scene scene = iceUnderWater();

@@ -180,7 +180,10 @@ struct ElasticPair {
     scene.heat.enabled = true;
     Phases<double> phases(scene, 2);
     const EnthalpyCurve curve(scene.heat);
-    phases.update(curve, {curve.enthalpy(-5.0), curve.enthalpy(-5.0)}, 1.0);
+    const std::vector<double> cold(2, curve.enthalpy(-5.0));
+    phases.update(curve, cold);
+    phases.swell(1.0);
+    phases.update(curve, cold);
     springs.freeze(cloud.particles, cloud.neighbours, phases, 0.03);
   }
   double length() const {
