@@ -172,6 +172,24 @@ std::int64_t particleCount(const Scene& scene) {
   return static_cast<std::int64_t>(std::min(count, 9e18));
 }
 
+namespace {
+
+/// The paper's rest density, 45 times that of water, would make heat flow 45 times too slowly.
+void requireHeat(const Scene& scene) {
+  const HeatParams& heat = scene.heat;
+  if (!(heat.freezing_c < heat.boiling_c)) {
+    throw InvalidInput("heat.freezing_c = " + numberText(heat.freezing_c) +
+                       " must be below heat.boiling_c = " + numberText(heat.boiling_c));
+  }
+  if (heat.enabled && scene.preset == Preset::kPaper) {
+    throw InvalidInput(
+        "preset = paper: the paper has one temperature for the whole scene; with heat.enabled set "
+        "preset to default, or heat.enabled to false");
+  }
+}
+
+}  // namespace
+
 void validate(const Scene& scene) {
   Scene described = scene;
   describe(described, RangeCheck(""));
@@ -183,10 +201,7 @@ void validate(const Scene& scene) {
         "temperature.freezing_c = " + numberText(scene.temperature.freezing_c) +
         " must be below temperature.onset_c = " + numberText(scene.temperature.onset_c));
   }
-  if (!(scene.heat.freezing_c < scene.heat.boiling_c)) {
-    throw InvalidInput("heat.freezing_c = " + numberText(scene.heat.freezing_c) +
-                       " must be below heat.boiling_c = " + numberText(scene.heat.boiling_c));
-  }
+  requireHeat(scene);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const Block& block = scene.blocks[k];
     const std::string name = "blocks." + std::to_string(k);

@@ -56,6 +56,9 @@ void RunRecord::addFrame(const StepReport& report, const Simulation::DensityErro
   wall_time_s += report.frame_wall_s;
   speed_limited += report.speed_limited;
   peak_limited = std::max(peak_limited, std::size_t(report.speed_limited));
+  most_ice = std::max(most_ice, report.strictness);
+  most_bodies = std::max(most_bodies, report.bodies);
+  most_steam = std::max(most_steam, report.steam_particles);
   ++samples;
   const double weight = 1.0 / double(samples);
   density_error_mean += weight * (error.mean - density_error_mean);
@@ -107,6 +110,10 @@ void writeReport(const std::string& path, const Simulation& simulation, const Ru
   json["residual_speed_m_s"] = record.residual_speed_m_s;
   json["temperature_c"] = report.temperature_c;
   json["strictness"] = report.strictness;
+  json["mean_celsius"] = report.mean_celsius;
+  json["most_ice"] = record.most_ice;
+  json["most_bodies"] = record.most_bodies;
+  json["most_steam"] = record.most_steam;
   json["asleep"] = report.asleep;
   json["speed_limited"] = record.speed_limited;
   json["escaped"] = record.escaped;

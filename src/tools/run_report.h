@@ -22,6 +22,9 @@ struct RunRecord {
   double residual_speed_m_s = 0;  ///< root mean square over the last half second, sleep aside
   std::size_t samples = 0;
   std::size_t escaped = 0;
+  double most_ice = 0.0;        ///< share by mass; from here on the most in any frame
+  std::size_t most_bodies = 0;  ///< of rigid ice
+  std::size_t most_steam = 0;   ///< particles
   std::vector<ErrorFace> faces;
 
   void addFrame(const StepReport& report, const Simulation::DensityError& error);

@@ -76,6 +76,7 @@ TEST(SceneRefusalTest, WrongTypesSayWhatIsWanted) {
   expectRefusal("fluid: {self_density: maybe}", {"fluid.self_density", "true or false"});
   expectRefusal("fluid: {kernel: gauss}", {"fluid.kernel", "cubic, poly6_spiky"});
   expectRefusal("preset: fast", {"preset", "default, paper"});
+  expectRefusal("preset: paper\nheat: {enabled: true}", {"preset = paper", "preset to default"});
   expectRefusal("fluid: 3", {"fluid must be a map"});
   expectRefusal("blocks: {min_m: [0, 0, 0]}", {"blocks must be a list"});
   expectRefusal("blocks: [3]", {"blocks.0 must be a map"});
@@ -279,9 +280,13 @@ TEST(DefaultYamlTest, ParsesToTheDefaults) {
 
 class ShippedScene : public testing::TestWithParam<std::string> {};
 
-TEST_P(ShippedScene, RunsUnderBothPresets) {
+TEST_P(ShippedScene, RunsUnderBothPresetsOrWithHeatUnderItsOwn) {
   const fs::path path = GetParam();
   for (const char* preset : {"default", "paper"}) {
+    if (std::string(preset) == "paper" && loadScene(path.string()).heat.enabled) {
+      EXPECT_THROW(loadScene(path.string(), {{"preset", preset}}), InvalidInput);
+      continue;
+    }
     const Scene scene = loadScene(path.string(), {{"preset", preset}});
     EXPECT_EQ(scene.name, path.stem().string());
     EXPECT_FALSE(scene.description.empty());
