@@ -35,7 +35,7 @@ def compare_counts(folder, commit):
 
 
 def without_ice(folder):
-    """The working tree against a copy in which springs and temperature do not exist."""
+    """The working tree against a copy in which springs, temperature, heat and bodies do not exist."""
     tree = Tree("tree", folder).copy_working_tree().make("run_scene")
     bare = leave_out_ice(Tree("without_ice", folder).copy_working_tree()).make("run_scene")
     _print("without ice", bare, "tree", tree)
@@ -50,16 +50,18 @@ def _print(name_a, a, name_b, b):
 
 
 def leave_out_ice(tree):
-    """Takes springs and temperature out of a copy of the source."""
+    """Takes springs, temperature, heat and bodies of ice out of a copy of the source."""
     own = pathlib.Path(__file__).parent / "without_ice" / "absent.h"
     include = tree.source / "include" / "ice_ice_baby"
     shutil.copy2(own, include / "absent.h")
     simulator = include / "simulator.h"
-    _edit(simulator, r"std::optional<Springs<Real>>", "Absent<Springs<Real>>")
+    parts = "Springs|Heat|Phases|IceBodies|IceContacts|Steam"
+    _edit(simulator, rf"std::optional<(({parts})<Real>)>", r"Absent<\1>", 6)
     _edit(simulator, r"\bTemperature temperature_;", "NoTemperature temperature_;")
     _edit(simulator, r"\bdouble strictness_ = 0\.0;", "Zero strictness_;")
     _edit(simulator, r'#include "ice_ice_baby/colliders.h"', '#include "ice_ice_baby/absent.h"\n\\g<0>')
-    _edit(tree.source / "src" / "core" / "CMakeLists.txt", r"\n +(springs|temperature)\.cpp", "", 2)
+    left_out = r"\n +(springs|temperature|phases|steam|simulator_ice|ice_\w+|contact_\w+)\.cpp"
+    _edit(tree.source / "src" / "core" / "CMakeLists.txt", left_out, "", 12)
     return tree
 
 

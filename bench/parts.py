@@ -11,6 +11,9 @@ TANK = (*SCENE, "fluid.wall_density=false", "solver.viscosity_1_s=0")
 WALLS = (*SCENE, "solver.viscosity_1_s=0")
 ICE = ("springs.sleep_speed_m_s=0",)
 
+HEATED = (*SCENE, "containers=[]", "heat.enabled=true", "heat.air_transfer_w_m2k=0")
+BLOCK = "blocks=[{{min_m: [-0.4, -0.4, 0], max_m: [0.4, 0.4, 0.8], celsius: {}}}]"
+
 # Name, scene without it, scene with it, stages that it brings.
 PARTS = (
     ("viscosity", BARE, (*SCENE, "containers=[]"), ("viscosity",)),
@@ -18,6 +21,9 @@ PARTS = (
     ("density of walls", TANK, WALLS, ()),
     ("springs, freezing", BARE, (*BARE, "temperature.initial_c=2"), ("make_springs", "correct_springs")),
     ("springs, frozen", BARE, (*BARE, *ICE, "temperature.initial_c=-10"), ("make_springs", "correct_springs")),
+    ("heat of water", (*SCENE, "containers=[]"), HEATED, ("heat", "phases")),
+    ("rigid ice, one body", (*HEATED, BLOCK.format(5)), (*HEATED, BLOCK.format(-5)), ("ice_contacts", "ice_bodies")),
+    ("steam", (*HEATED, BLOCK.format(5)), (*HEATED, BLOCK.format(200)), ()),
 )
 
 

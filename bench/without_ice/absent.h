@@ -1,6 +1,6 @@
-// Stands in for springs and temperature in a copy of the source in which they do not exist. Each
-// constant is known when the compiler runs, so every branch that needs them goes, and the copy
-// links without springs.cpp and temperature.cpp: scripts/bench --without-ice says how.
+// Stands in for springs, temperature, heat and bodies of ice in a copy of the source in which they
+// do not exist. Each constant is known when the compiler runs, so every branch that needs them
+// goes, and the copy links without their sources: scripts/bench --without-ice says how.
 #pragma once
 
 #include <cstdlib>

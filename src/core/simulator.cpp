@@ -271,6 +271,12 @@ void Simulator<Real>::updateVelocityAndPosition(Real dt) {
   report_.non_finite += repaired;
 }
 
+template <class Real>
+void Simulator<Real>::applyViscosity(double dt_s) {
+  viscosity_->apply(particles_, neighbours_, dt_s, density_->rows());
+  if (bodies_) bodies_->takeVelocities(particles_);
+}
+
 std::unique_ptr<Simulation> makeSimulation(const Scene& scene, Precision precision, int threads) {
   requireInRange("threads", threads, 0, 1024);
   validate(scene);

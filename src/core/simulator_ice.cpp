@@ -1,4 +1,5 @@
-// What heat brings into the step: steam and rigid ice in a substep, heat and phases once a frame.
+// What heat brings into the step: steam and rigid ice in a substep, heat, phases and their report
+// once a frame.
 #include <algorithm>
 #include <limits>
 
@@ -32,12 +33,6 @@ template <class Real>
 void Simulator<Real>::moveBodies() {
   bodies_->conform(particles_.predicted);
   contacts_->solve(*bodies_, particles_.predicted);
-}
-
-template <class Real>
-void Simulator<Real>::applyViscosity(double dt_s) {
-  viscosity_->apply(particles_, neighbours_, dt_s, density_->rows());
-  if (bodies_) bodies_->takeVelocities(particles_);
 }
 
 /// Heat flows at its own, slow rate: a pass covers as many frames as it may, but no more than a
@@ -118,6 +113,24 @@ void Simulator<Real>::stickToColdWalls() {
     const Index body = bodies_->bodyOf(i);
     if (bodies_->body(body).anchor == kNone) bodies_->anchor(body, wall, colliders_);
   }
+}
+
+template <class Real>
+void Simulator<Real>::reportHeat() {
+  const std::size_t n = particles_.size();
+  double celsius = 0.0, ice = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    celsius += heat_->temperature(i);
+    ice += heat_->iceFraction(i);
+  }
+  report_.mean_celsius = n > 0 ? celsius / double(n) : 0.0;
+  report_.strictness = n > 0 ? ice / double(n) : 0.0;
+  report_.enthalpy_j = heat_->totalEnthalpy_j();
+  report_.heat_speedup = heat_->reachedSpeedup();
+  report_.bodies = bodies_ ? bodies_->count() : 0;
+  report_.bodies_asleep = bodies_ ? bodies_->asleep() : 0;
+  report_.ice_particles = phases_->iceCount();
+  report_.steam_particles = phases_->steamCount();
 }
 
 template class Simulator<float>;

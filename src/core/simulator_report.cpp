@@ -65,24 +65,6 @@ void Simulator<Real>::updateReport() {
 }
 
 template <class Real>
-void Simulator<Real>::reportHeat() {
-  const std::size_t n = particles_.size();
-  double celsius = 0.0, ice = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    celsius += heat_->temperature(i);
-    ice += heat_->iceFraction(i);
-  }
-  report_.mean_celsius = n > 0 ? celsius / double(n) : 0.0;
-  report_.strictness = n > 0 ? ice / double(n) : 0.0;
-  report_.enthalpy_j = heat_->totalEnthalpy_j();
-  report_.heat_speedup = heat_->reachedSpeedup();
-  report_.bodies = bodies_ ? bodies_->count() : 0;
-  report_.bodies_asleep = bodies_ ? bodies_->asleep() : 0;
-  report_.ice_particles = phases_->iceCount();
-  report_.steam_particles = phases_->steamCount();
-}
-
-template <class Real>
 void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t stride) const {
   const std::vector<Index> places = placesById(particles_.id);
   const std::size_t n = places.size();
