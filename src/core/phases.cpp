@@ -89,24 +89,14 @@ void Phases<Real>::swell(double dt_s) {
 
 template <class Real>
 void Phases<Real>::findWet(const Neighbours<Real>& neighbours) {
-  parallelFor(phase_.size(), [&](std::size_t i) {
-    wet_[i] = flows_[i];
-    if (flows_[i] || steam_[i]) return;
-    for (const Index j : neighbours.of(i)) {
-      if (!flows_[j]) continue;
-      wet_[i] = 1;
-      return;
-    }
-  });
-  parallelFor(phase_.size(), [&](std::size_t i) {
-    pressed_[i] = wet_[i];
-    if (wet_[i] || steam_[i]) return;
-    for (const Index j : neighbours.of(i)) {
-      if (!wet_[j]) continue;
-      pressed_[i] = 1;
-      return;
-    }
-  });
+  const auto beside = [&](const std::vector<std::uint8_t>& marked, std::size_t i) {
+    const auto list = neighbours.of(i);
+    return std::any_of(list.begin(), list.end(), [&](Index j) { return marked[j] != 0; });
+  };
+  parallelFor(phase_.size(),
+              [&](std::size_t i) { wet_[i] = flows_[i] || (!steam_[i] && beside(flows_, i)); });
+  parallelFor(phase_.size(),
+              [&](std::size_t i) { pressed_[i] = wet_[i] || (!steam_[i] && beside(wet_, i)); });
 }
 
 template <class Real>
