@@ -62,5 +62,5 @@ def row(name, without, with_it, stages, cost):
     off, on = cost(without), cost(with_it)
     left = [stage for stage in stages if stage in off.stages]
     absent = f"still there: {', '.join(left)}" if left else "0, 0: no such stage" if stages else "no such array"
-    return (f"| {name} | + {on.instructions - off.instructions:.0f} | + {on.bytes - off.bytes:.0f} "
+    return (f"| {name} | {on.instructions - off.instructions:+.0f} | {on.bytes - off.bytes:+.0f} "
             f"| {', '.join(stages) or 'within lambda'} | {absent} |")

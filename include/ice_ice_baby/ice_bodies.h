@@ -26,7 +26,8 @@ class IceBodies {
   /// Makes particles of one label one body, between two substeps. A body whose members stay the
   /// same keeps all of its state; any other takes over mass and momenta of its members, so that
   /// linear and angular momentum are conserved and nothing moves. Only the spin of a particle about
-  /// its own centre (2/5 m (d/10)^2 of inertia each) is lost when it melts, as water has none.
+  /// its own centre (2/5 m (d/10)^2 of inertia each, in small bodies more) is lost when it melts,
+  /// as water has none.
   /// @param neighbours lists that hold at the present positions
   /// @param label (n) any number below n that the particles of a body share; kNone: water
   /// @return whether anything changed; members then have new numbers and new bodies no anchor

@@ -33,11 +33,15 @@ constexpr double kLookoutCosine = 0.7;
 /// Neighbours up to so many spacings away can hide a particle.
 constexpr double kHideReach_d = 1.85;
 
+/// Bodies of up to so many particles may lie in a row.
+constexpr Index kFew = 4;
+
 /// Inertia of a particle about its own centre, without which a row of them could spin about its
-/// axis for nothing: in company so little that what its body spins is what its particles carry.
-/// Alone so much that it does not turn: a grain of ice lies where a ball would roll away.
+/// axis for nothing: that of a ball among few, so little among many that what their body spins is
+/// what its particles carry. Alone so much that it does not turn: a grain of ice lies where a ball
+/// would roll away.
 double ownInertia(double particle_kg, double radius_m, Index count) {
-  const double share = count == 1 ? 1e6 : 0.04;
+  const double share = count == 1 ? 1e6 : count <= kFew ? 1.0 : 0.04;
   return share * 0.4 * particle_kg * radius_m * radius_m;
 }
 
