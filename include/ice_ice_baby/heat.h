@@ -49,7 +49,6 @@ class Heat {
   Index wallColderThan(double celsius, const Vec3<Real>& point) const {
     return walls_.colderThan(celsius, point);
   }
-  double wallCelsius(const std::string& name) const { return walls_.celsius(name); }
 
   void addRegion(const HeatRegion& region) { regions_.add(region); }
   /// Regions at work.
@@ -60,7 +59,6 @@ class Heat {
   const std::vector<double>& enthalpy() const { return enthalpy_; }
   double temperature(std::size_t i) const { return curve_.temperature(enthalpy_[i]); }
   double iceFraction(std::size_t i) const { return curve_.iceFraction(enthalpy_[i]); }
-  double steamFraction(std::size_t i) const { return curve_.steamFraction(enthalpy_[i]); }
 
   /// Sum over the particles in their order, J.
   double totalEnthalpy_j() const;

@@ -56,7 +56,6 @@ class IceBodies {
   /// From now on a collider carries the body. Nothing happens when it does already.
   /// @param collider its number in the order containers, planes, spheres
   void anchor(Index body, Index collider, const Colliders<Real>& colliders);
-  void release(Index body) { bodies_[body].anchor = kNone; }
 
   /// Puts dry and supported bodies to sleep that have been slower than `ice.sleep_speed_m_s` for
   /// half a second, and wakes wet ones.

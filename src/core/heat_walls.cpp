@@ -1,5 +1,6 @@
 #include "ice_ice_baby/heat_walls.h"
 
+#include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
@@ -14,12 +15,9 @@ HeatWalls<Real>::HeatWalls(const Scene& scene, const Colliders<Real>& colliders,
       support_(static_cast<Real>(lattice.support_m)),
       area_(static_cast<Real>(lattice.area_m2)),
       share_(lattice.support_m, [&](double distance) { return lattice.wallShare(distance); }) {
-  const auto add = [&](const Collider& c) {
+  forEachCollider(scene, [&](const Collider& c) {
     surfaces_.push_back({c.name, c.heat, c.flux_w_m2, c.celsius, c.celsius, 0.0});
-  };
-  for (const Container& container : scene.containers) add(container);
-  for (const Plane& plane : scene.planes) add(plane);
-  for (const Sphere& sphere : scene.spheres) add(sphere);
+  });
 }
 
 template <class Real>

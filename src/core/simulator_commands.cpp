@@ -1,6 +1,7 @@
 // What users change between frames: each is checked whole before anything changes.
 #include <algorithm>
 
+#include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/simulator.h"
 
@@ -73,9 +74,7 @@ void requireTemperature(double celsius, double ramp_s) {
 void requireTarget(const Scene& scene, const std::string& target) {
   if (target.empty()) return;
   std::vector<std::string> names;
-  for (const auto& c : scene.containers) names.push_back(c.name);
-  for (const auto& c : scene.planes) names.push_back(c.name);
-  for (const auto& c : scene.spheres) names.push_back(c.name);
+  forEachCollider(scene, [&](const Collider& c) { names.push_back(c.name); });
   if (std::find(names.begin(), names.end(), target) == names.end()) {
     throw InvalidInput("no collider \"" + shortened(target) +
                        "\"; \"\" is the air, the scene has: " + joined(names));

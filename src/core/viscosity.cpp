@@ -21,14 +21,14 @@ void Viscosity<Real>::apply(Particles<Real>& particles, const Neighbours<Real>& 
                             double dt_s, PackedRows<Real>& scratch) {
   const std::size_t n = particles.size();
   const Real share = static_cast<Real>(1.0 - std::exp(-rate_1_s_ * dt_s));
-  Real factor = volume_ * kernel_.w(0);
   scratch.pack(particles.predicted);
   if (phases_) {
     packMixture(particles, share);
   } else {
     velocities_.pack(particles.velocity);
-    factor *= share;
   }
+  // In a mixture each particle brings its share itself.
+  const Real factor = volume_ * (phases_ ? Real(1) : share) * kernel_.w(0);
   const PairInput<Real> pairs{neighbours, scratch.data(), velocities_.data(),
                               kernel_.h,  nullptr,        share};
   parallelForRanges(n, [&](std::size_t first, std::size_t last) {

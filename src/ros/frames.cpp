@@ -4,8 +4,8 @@
 #include <ros/console.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "each_collider.h"
 #include "geometry.h"
+#include "ice_ice_baby/each_collider.h"
 
 namespace ice_ice_baby {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "each_collider.h"
+#include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
