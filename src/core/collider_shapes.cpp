@@ -106,8 +106,9 @@ Vec3<Real> ContainerShape<Real>::resolve(const Vec3<Real>& from, const Vec3<Real
     if (open_top) kept.z() = std::max(to.z(), inner.low.z());
     return kept;
   }
+  // What comes down on the wall lands on its rim: a jump to its side would be a speed of its own.
   if (open_top && from.z() >= rim && to.z() < rim &&
-      withinSides(middle, pathAtHeight(from, to, rim))) {
+      withinSides(inner, pathAtHeight(from, to, rim))) {
     return to.cwiseMax(inner.low).cwiseMin(inner.high);
   }
   return keepOutside(outer, from, to);
