@@ -1,6 +1,8 @@
 // The density constraint of position based fluids: paper Eq. 2-6, Macklin & Mueller 2013.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <vector>
 
 #include "ice_ice_baby/neighbours.h"
@@ -50,6 +52,8 @@ class DensityConstraint {
   /// -rho_0 / dt^2 of it is the pressure.
   const std::vector<Real>& multiplier() const { return multiplier_; }
 
+  /// Corrections that `solver.max_correction_h` cut short so far.
+  std::uint64_t limited() const { return limited_; }
   std::size_t bytes() const;
 
  private:
@@ -71,8 +75,9 @@ class DensityConstraint {
   Real epsilon_;  ///< 1/m^2
   bool resist_tension_;
   Real warm_start_;
-  bool begun_ = true;                ///< whether an iteration of this substep is done
-  Real max_correction_;              ///< m; 0: unlimited
+  bool begun_ = true;    ///< whether an iteration of this substep is done
+  Real max_correction_;  ///< m; 0: unlimited
+  std::atomic<std::uint64_t> limited_{0};
   PackedRows<Real> positions_;       ///< (n, 4) x_i* and lambda_i
   std::vector<Real> density_;        ///< (n) rho_i / rho_0
   std::vector<Real> lambda_;         ///< (n) m^2

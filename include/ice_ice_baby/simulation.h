@@ -37,9 +37,11 @@ struct StepReport {
   double density_error_max = 0.0;
   double kinetic_energy_j = 0.0;
   double potential_energy_j = 0.0;  ///< against gravity, 0 at the origin
+  double elastic_energy_j = 0.0;    ///< that pressed water and stretched springs give back
   double max_speed_m_s = 0.0;
   double rms_speed_m_s = 0.0;
-  std::uint64_t speed_limited = 0;  ///< particles, and bodies of ice, slowed in this frame
+  std::uint64_t speed_limited = 0;       ///< particles, and bodies of ice, slowed in this frame
+  std::uint64_t correction_limited = 0;  ///< corrections cut to solver.max_correction_h in it
   std::uint64_t non_finite = 0;  ///< since the start: values repaired because they were not finite
   int substeps = 0;              ///< that the frame took; 0 asleep
   double mean_celsius = 0.0;     ///< over the particles; from here on 0 without heat

@@ -70,6 +70,7 @@ class Simulator final : public Simulation {
   void applyViscosity(double dt_s);
   void updateTemperature(double time_s);
   void updateReport();
+  double elasticEnergy_j() const;
   void followTargetError();
   void updateSleep();
   void wake();

@@ -80,6 +80,9 @@ class Springs {
   /// Follows a sort of the particles: place k now holds what was at order[k].
   void renumber(const std::vector<Index>& order);
 
+  /// Sum of c^2 over the springs that last, m^2: what their corrections have left.
+  double squaredStretch_m2(const VectorField<Real>& position) const;
+
   bool empty() const { return springs_.empty(); }
   std::size_t size() const { return springs_.size(); }
   std::size_t bytes() const;

@@ -151,6 +151,7 @@ void DensityConstraint<Real>::finishDeltaP(std::size_t i) {
   const Real length2 = sum.squaredNorm();
   if (max_correction_ > 0 && length2 > max_correction_ * max_correction_) {
     sum *= max_correction_ / std::sqrt(length2);
+    limited_.fetch_add(1, std::memory_order_relaxed);
   }
   delta_p_.set(i, sum);
   multiplier_[i] += lambda_[i];

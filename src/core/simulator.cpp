@@ -71,6 +71,7 @@ const StepReport& Simulator<Real>::advanceFrame() {
   ++report_.frame;
   report_.time_s = double(report_.frame) / scene_.solver.frame_rate_hz;
   report_.speed_limited = 0;
+  report_.correction_limited = 0;
   updateTemperature(report_.time_s);
   report_.substeps = report_.asleep ? 0 : substeps_;
   if (!report_.asleep) {
@@ -93,11 +94,13 @@ void Simulator<Real>::runSubsteps() {
     return bodies_ ? bodies_->limited() + contacts_->limited() : 0;
   };
   const std::uint64_t limited_before = bodiesLimited();
+  const std::uint64_t cut_before = density_->limited();
   for (int k = 0; k < substeps_; ++k) {
     if (colliders_moving_) colliders_.setSubstep(double(k) / substeps_, double(k + 1) / substeps_);
     substep(1.0 / (scene_.solver.frame_rate_hz * substeps_));
   }
   report_.speed_limited += bodiesLimited() - limited_before;
+  report_.correction_limited = density_->limited() - cut_before;
   if (!colliders_moving_) return;
   colliders_.endFrame();
   colliders_.setSubstep(1.0, 1.0);

@@ -158,6 +158,17 @@ void Springs<Real>::breakStretched(const VectorField<Real>& position, double str
 }
 
 template <class Real>
+double Springs<Real>::squaredStretch_m2(const VectorField<Real>& position) const {
+  const std::size_t count = kept_ || !multipliers_.empty() ? springs_.size() : sheet_count_;
+  double sum_m2 = 0.0;
+  for (std::size_t s = 0; s < count; ++s) {
+    const double length = (position.at(springs_[s].b) - position.at(springs_[s].a)).norm();
+    sum_m2 += (length - double(springs_[s].rest_m)) * (length - double(springs_[s].rest_m));
+  }
+  return sum_m2;
+}
+
+template <class Real>
 void Springs<Real>::renumber(const std::vector<Index>& order) {
   place_of_.resize(order.size());
   for (Index k = 0; k < order.size(); ++k) place_of_[order[k]] = k;

@@ -12,6 +12,10 @@ using Level = diagnostic_msgs::DiagnosticStatus;
 /// Below this part of the wanted real-time factor the machine counts as overloaded.
 constexpr double kKeepsUp = 0.9;
 
+/// A splash cuts single corrections; more than this part of them in a frame tells of a solver that
+/// cannot keep up.
+constexpr double kManyCut = 0.01;
+
 }  // namespace
 
 Diagnostics::Diagnostics(ros::NodeHandle& node, ros::NodeHandle& node_private,
@@ -39,12 +43,19 @@ void Diagnostics::solver(Status& status) {
   const StepReport& report = now.report;
   const std::uint64_t limited = now.speed_limited - speed_limited_;
   speed_limited_ = now.speed_limited;
+  const std::uint64_t cut = now.correction_limited - correction_limited_;
+  correction_limited_ = now.correction_limited;
   const std::uint64_t refused = now.refused - refused_;
   refused_ = now.refused;
   status.summary(Level::OK, now.paused ? "paused" : "running");
   if (limited > 0) {
     status.summary(Level::WARN,
                    "the speed limit acts; raise solver.max_speed_m_s or solver.substeps");
+  }
+  if (report.correction_limited > kManyCut * double(report.particles) * report.substeps) {
+    status.mergeSummary(Level::WARN,
+                        "corrections are cut short, so the water is softer than it should be; "
+                        "raise solver.substeps");
   }
   if (report.non_finite > 0) {
     status.summary(Level::WARN, "values that were not finite were repaired; raise solver.substeps");
@@ -63,6 +74,7 @@ void Diagnostics::solver(Status& status) {
   status.add("density error, mean", report.density_error_mean);
   status.add("density error, maximum", report.density_error_max);
   status.add("speed limited since the last message", limited);
+  status.add("corrections cut since the last message", cut);
   status.add("not finite, repaired", report.non_finite);
 }
 

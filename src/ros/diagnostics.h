@@ -34,6 +34,7 @@ class Diagnostics {
   const ClockPublisher& clock_;
   diagnostic_updater::Updater updater_;
   std::uint64_t speed_limited_ = 0;
+  std::uint64_t correction_limited_ = 0;
   std::uint64_t refused_ = 0;
   ros::WallTimer timer_;
 };

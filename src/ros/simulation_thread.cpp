@@ -203,6 +203,7 @@ void SimulationThread::runFrame() {
     const StepReport& report = simulation_->advanceFrame();
     latest_.simulated_s += frameTime_s(*simulation_);
     latest_.speed_limited += report.speed_limited;
+    latest_.correction_limited += report.correction_limited;
   } catch (const std::exception& e) {
     latest_.failure = e.what();
     latest_.paused = true;

@@ -28,11 +28,12 @@ struct Snapshot {
   std::vector<std::string> colliders;  ///< names
   bool paused = false;
   double real_time_factor = 0.0;
-  double simulated_s = 0.0;         ///< since the node started, over every reset
-  std::uint64_t speed_limited = 0;  ///< the same, particles that the speed limit slowed
-  std::string failure;              ///< why frames stopped, "" while all is well
-  std::uint64_t refused = 0;        ///< commands that came to nothing after they were accepted
-  std::string refusal;              ///< why the latest of them did
+  double simulated_s = 0.0;              ///< since the node started, over every reset
+  std::uint64_t speed_limited = 0;       ///< the same, particles that the speed limit slowed
+  std::uint64_t correction_limited = 0;  ///< the same, corrections that were cut
+  std::string failure;                   ///< why frames stopped, "" while all is well
+  std::uint64_t refused = 0;             ///< commands that came to nothing after they were accepted
+  std::string refusal;                   ///< why the latest of them did
 };
 
 /// How the thread runs.

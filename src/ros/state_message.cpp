@@ -44,9 +44,11 @@ State stateMessage(const Snapshot& snapshot, const std_msgs::Header& header) {
   state.density_error_max = report.density_error_max;
   state.kinetic_energy_j = report.kinetic_energy_j;
   state.potential_energy_j = report.potential_energy_j;
+  state.elastic_energy_j = report.elastic_energy_j;
   state.max_speed_m_s = report.max_speed_m_s;
   state.rms_speed_m_s = report.rms_speed_m_s;
   state.speed_limited = report.speed_limited;
+  state.correction_limited = report.correction_limited;
   state.non_finite = report.non_finite;
   state.frame_wall_s = report.frame_wall_s;
   state.real_time_factor = snapshot.real_time_factor;

@@ -25,7 +25,8 @@ std::unique_ptr<EnergyWatch> EnergyWatch::forScene(const FrameView& start) {
 }
 
 void EnergyWatch::add(const FrameView& frame) {
-  end_j_ = frame.report().kinetic_energy_j + frame.report().potential_energy_j;
+  const StepReport& report = frame.report();
+  end_j_ = report.kinetic_energy_j + report.potential_energy_j + report.elastic_energy_j;
   if (std::isnan(start_j_)) start_j_ = end_j_;
   least_j_ = std::min(least_j_, end_j_);
   rise_j_ = std::max(rise_j_, end_j_ - least_j_);

@@ -14,6 +14,7 @@ namespace ice_ice_baby {
 /// `energy_drift`: total at the end less that at the start. Water that splashes loses energy, so
 /// only its sign and its change between settings tell. `energy_rise`: the furthest that the total
 /// was above its own running minimum. Nothing works on the water, so it may not rise: 0 is ideal.
+/// The total is kinetic, potential and elastic: what compressed water gives back is no rise.
 class EnergyWatch final : public ErrorWatch {
  public:
   /// Nothing for a scene without water or without any energy to turn into motion.

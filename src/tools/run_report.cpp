@@ -55,6 +55,7 @@ nlohmann::ordered_json settingsOf(Scene scene) {
 void RunRecord::addFrame(const StepReport& report, const Simulation::DensityError& error) {
   wall_time_s += report.frame_wall_s;
   speed_limited += report.speed_limited;
+  correction_limited += report.correction_limited;
   peak_limited = std::max(peak_limited, std::size_t(report.speed_limited));
   most_ice = std::max(most_ice, report.strictness);
   most_bodies = std::max(most_bodies, report.bodies);
@@ -105,6 +106,7 @@ void writeReport(const std::string& path, const Simulation& simulation, const Ru
   json["density_error_own_kernel_mean"] = record.own_error_mean;
   json["kinetic_energy_j"] = report.kinetic_energy_j;
   json["potential_energy_j"] = report.potential_energy_j;
+  json["elastic_energy_j"] = report.elastic_energy_j;
   json["max_speed_m_s"] = report.max_speed_m_s;
   json["rms_speed_m_s"] = report.rms_speed_m_s;
   json["residual_speed_m_s"] = record.residual_speed_m_s;
@@ -116,6 +118,7 @@ void writeReport(const std::string& path, const Simulation& simulation, const Ru
   json["most_steam"] = record.most_steam;
   json["asleep"] = report.asleep;
   json["speed_limited"] = record.speed_limited;
+  json["correction_limited"] = record.correction_limited;
   json["escaped"] = record.escaped;
   json["non_finite"] = report.non_finite;
   json["unstable"] = instability(record, report);

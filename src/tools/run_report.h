@@ -15,6 +15,7 @@ struct RunRecord {
   double wall_time_s = 0.0;
   std::uint64_t steps = 0;  ///< substeps
   std::uint64_t speed_limited = 0;
+  std::uint64_t correction_limited = 0;
   std::size_t peak_limited = 0;   ///< most particles slowed by the speed limit in one frame
   double density_error_mean = 0;  ///< mean over the samples of the mean, cubic-spline yardstick
   double density_error_max = 0;   ///< mean over the samples of the maximum

@@ -11,9 +11,10 @@ namespace {
 
 constexpr char kSeriesColumns[] =
     "time_s,wall_s,density_error_mean,density_error_max,own_density_error_mean,"
-    "own_density_error_max,kinetic_energy_j,potential_energy_j,total_energy_j,rms_speed_m_s,"
-    "max_speed_m_s,min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,mean_x_m,mean_y_m,mean_z_m,"
-    "rms_x_m,rms_y_m,rms_z_m,momentum_x_kg_m_s,momentum_y_kg_m_s,momentum_z_kg_m_s,"
+    "own_density_error_max,kinetic_energy_j,potential_energy_j,elastic_energy_j,"
+    "total_energy_j,rms_speed_m_s,max_speed_m_s,min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,"
+    "mean_x_m,mean_y_m,mean_z_m,rms_x_m,rms_y_m,rms_z_m,momentum_x_kg_m_s,momentum_y_kg_m_s,"
+    "momentum_z_kg_m_s,"
     "angular_momentum_x_kg_m2_s,angular_momentum_y_kg_m2_s,angular_momentum_z_kg_m2_s,"
     "temperature_c,strictness,springs,mean_celsius,enthalpy_j,heat_speedup,bodies,bodies_asleep,"
     "ice_particles,steam_particles\n";
@@ -50,7 +51,8 @@ void SeriesWriter::add(const FrameView& frame) {
   for (const double value :
        {report.time_s, report.frame_wall_s, frame.error.mean, frame.error.max,
         report.density_error_mean, report.density_error_max, report.kinetic_energy_j,
-        report.potential_energy_j, report.kinetic_energy_j + report.potential_energy_j,
+        report.potential_energy_j, report.elastic_energy_j,
+        report.kinetic_energy_j + report.potential_energy_j + report.elastic_energy_j,
         report.rms_speed_m_s, report.max_speed_m_s}) {
     append(row, value);
   }

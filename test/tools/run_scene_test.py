@@ -152,7 +152,8 @@ class RunScene(unittest.TestCase):
         for row in rows[1:]:
             self.assertGreater(row["wall_s"], 0)
             self.assertAlmostEqual(row["total_energy_j"],
-                                   row["kinetic_energy_j"] + row["potential_energy_j"])
+                                   row["kinetic_energy_j"] + row["potential_energy_j"] +
+                                   row["elastic_energy_j"])
         for name in ("density_error_mean", "own_density_error_max", "temperature_c", "strictness",
                      "springs"):
             self.assertIn(name, rows[0])
