@@ -60,6 +60,7 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
     findNeighbours();
     joinSheets();
     if (heat_) beginPhases();
+    if (!colliders_.empty()) expel();
     density_->computeLambda(particles_, neighbours_);
     updateReport();
   });
@@ -93,6 +94,7 @@ void Simulator<Real>::runSubsteps() {
     return bodies_ ? bodies_->limited() + contacts_->limited() : 0;
   };
   const std::uint64_t limited_before = bodiesLimited();
+  if (colliders_moving_) jumpColliders();
   for (int k = 0; k < substeps_; ++k) {
     if (colliders_moving_) colliders_.setSubstep(double(k) / substeps_, double(k + 1) / substeps_);
     substep(1.0 / (scene_.solver.frame_rate_hz * substeps_));
