@@ -41,6 +41,8 @@ struct ContainerShape {
   /// passes the open mouth, what was outside stays outside unless it enters by the mouth.
   Vec3<Real> resolve(const Vec3<Real>& from, const Vec3<Real>& to) const;
   bool inside(const Vec3<Real>& point) const { return middle.holds(point); }
+  /// Whether a point within an open container's wall is nearer to its rim than to its sides.
+  bool onRim(const Vec3<Real>& point) const;
 };
 
 /// Ground below z = 0, or a plate; bounds particle centres like ContainerShape.
@@ -61,6 +63,13 @@ struct SphereShape {
   Vec3<Real> resolve(const Vec3<Real>& from, const Vec3<Real>& to) const;
 };
 
+/// A collider that is somewhere else at once.
+template <class Real>
+struct Jump {
+  std::size_t number;  ///< in the order containers, planes, spheres
+  Motion<Real> motion;
+};
+
 /// A shape with what contact needs to know of it.
 template <class Real, class Shape>
 struct Body {
@@ -79,8 +88,10 @@ class Colliders {
   bool empty() const { return containers.empty() && planes.empty() && spheres.empty(); }
 
   /// Where a particle that starts a substep at `from` ends when the solver wants it at `to`:
-  /// outside every solid, its sliding reduced by Coulomb friction. @param stick whether it does not
-  /// slide
+  /// outside every solid, its sliding reduced by Coulomb friction. In a gap too narrow for it a
+  /// particle stays where it was, or goes to the nearest free place when a collider moved in on it.
+  /// Where there is none at all the containers have the last word.
+  /// @param stick whether it does not slide
   Vec3<Real> respond(const Vec3<Real>& from, const Vec3<Real>& to, bool stick) const;
 
   /// Poses at the start and the end of the substep that comes next.
@@ -89,6 +100,11 @@ class Colliders {
 
   /// Moves a collider over the frame that comes next. @throws InvalidInput for an unknown name
   void moveTo(const std::string& name, const Posed& pose);
+  /// Colliders of which a point would go further than `most_m` over the frame do not sweep through
+  /// what lies between: they are where they were going before it begins.
+  /// @param reach_m how far from its origin a point of an infinite plane matters
+  /// @return one entry each, with its pose before and now
+  std::vector<Jump<Real>> jump(double most_m, double reach_m);
   /// Ends the frame: every collider is where it was going.
   void endFrame();
   Posed pose(const std::string& name) const;
@@ -107,12 +123,21 @@ class Colliders {
     Posed target;
   };
 
+  template <class Push>
+  Real pushAll(Vec3<Real>& end, const Push& push) const;
+  bool cutsSphere(const Vec3<Real>& from, const Vec3<Real>& to) const;
+  template <class Push>
+  bool settleBy(const Push& push, Vec3<Real>& end) const;
+  bool settle(const Vec3<Real>& from, Vec3<Real>& end) const;
+  bool settleRound(const Vec3<Real>& from, Vec3<Real>& end) const;
+  Vec3<Real> nearestFree(const Vec3<Real>& from, const Vec3<Real>& end) const;
+  double reachOf(std::size_t number, double reach_m) const;
   const Travel& travel(const std::string& name) const;
   template <class Visit>
   void forEachMotion(Visit&& visit);
 
   std::vector<Travel> travels_;
-  Real settled2_;  ///< m^2; a response that moves less than its root is done
+  Real radius_m_;
 };
 
 }  // namespace ice_ice_baby

@@ -53,6 +53,10 @@ class IceBodies {
   /// Takes what changed the velocities of single members after finish as impulses on their bodies.
   void takeVelocities(Particles<Real>& particles);
 
+  /// Between two substeps takes along, with their momenta, the bodies in containers that jump and
+  /// those anchored to anything that does. finish then writes their members.
+  void carry(const std::vector<Jump<Real>>& jumps, const Colliders<Real>& colliders);
+
   /// From now on a collider carries the body. Nothing happens when it does already.
   /// @param collider its number in the order containers, planes, spheres
   void anchor(Index body, Index collider, const Colliders<Real>& colliders);
@@ -141,6 +145,7 @@ class IceBodies {
   void wakeBeside(const Neighbours<Real>& neighbours, const std::vector<Index>& label);
   void makeChunks();
 
+  Placement held(const IceBody& body, const Colliders<Real>& colliders) const;
   void follow(IceBody& body, const Colliders<Real>& colliders) const;
   void fly(IceBody& body);
   void limit(IceBody& body);

@@ -30,6 +30,9 @@ class IceContacts {
   /// where it was and loses its momenta. Writes its members.
   void contain(IceBodies<Real>& bodies, VectorField<Real>& predicted);
 
+  /// Between two substeps puts loose bodies that lie in a collider beside it, without momentum.
+  void expel(IceBodies<Real>& bodies, const Colliders<Real>& colliders);
+
   /// Contacts of the present substep.
   std::size_t count() const { return walls_.size() + pairs_.size(); }
   /// Bodies that `contain` put back so far.
@@ -108,6 +111,7 @@ class IceContacts {
   bool deepInside(const IceBodies<Real>& bodies, const Contact& contact) const;
   void markOut(Index b, Index collider);
   void checkAll(const IceBodies<Real>& bodies, Index b);
+  Vec3d longestPush(const IceBodies<Real>& bodies, Index b) const;
   void putBack(IceBodies<Real>& bodies, Index b);
 
   double spacing_m_;

@@ -72,6 +72,24 @@ struct Spawn {
   std::uint32_t count = 0;
 };
 
+/// Calls visit(point) for every particle that a block spawns, x fastest, then y, then z.
+template <class Visit>
+void forEachLatticePoint(const Block& block, double spacing_m, const Visit& visit) {
+  const auto size = latticeSize(block, spacing_m);
+  const bool turned = !block.rpy_deg.isZero();
+  const Posed pose = poseOf(block.centre_m(), block.rpy_deg);
+  for (std::int64_t z = 0; z < size.z(); ++z) {
+    for (std::int64_t y = 0; y < size.y(); ++y) {
+      const LatticeRow row = latticeRow(block, spacing_m, size, y, z);
+      for (std::int64_t x = row.first; x < row.last; ++x) {
+        const Vec3d cell(double(x) + 0.5, double(y) + 0.5, double(z) + 0.5);
+        const Vec3d point = block.min_m + spacing_m * cell;
+        visit(turned ? pose.toWorld(point - block.centre_m()) : point);
+      }
+    }
+  }
+}
+
 /// Fills every block of the scene with its lattice, in the order of the scene file.
 /// @param spawns one entry per block
 template <class Real>

@@ -138,7 +138,7 @@ std::int64_t particleCount(const Scene& scene);
 
 /// Refuses a value out of its range, and what no single key shows to be wrong: no room in memory,
 /// freezing above onset, a kernel that reaches too few or too many neighbours, a set of constants
-/// that cannot be a fluid.
+/// that cannot be a fluid, water that begins where something else is (requireFreeSpawn).
 /// @throws InvalidInput
 void validate(const Scene& scene);
 

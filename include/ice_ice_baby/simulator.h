@@ -67,6 +67,10 @@ class Simulator final : public Simulation {
   void updateVelocityAndPosition(Real dt);
   void findContacts();
   void moveBodies();
+  void jumpColliders();
+  void carry(const std::vector<Jump<Real>>& jumps);
+  void expel();
+  void makeRoom();
   void applyViscosity(double dt_s);
   void updateTemperature(double time_s);
   void updateReport();

@@ -94,9 +94,21 @@ Vec3<Real> enterBall(Real radius, const Vec3<Real>& from, const Vec3<Real>& to) 
 
 }  // namespace
 
+/// Rounding puts what lies on the rim a hair below it: that is neither inside nor outside.
+template <class Real>
+bool ContainerShape<Real>::onRim(const Vec3<Real>& point) const {
+  const Real below = inner.high.z() - point.z();
+  if (!open_top || below <= 0 || withinSides(inner, point)) return false;
+  const Vec3<Real> within_outer = (point - outer.low).cwiseMin(outer.high - point);
+  const Vec3<Real> beyond_inner = (inner.low - point).cwiseMax(point - inner.high);
+  return below < std::min(within_outer.template head<2>().minCoeff(),
+                          beyond_inner.template head<2>().maxCoeff());
+}
+
 template <class Real>
 Vec3<Real> ContainerShape<Real>::resolve(const Vec3<Real>& from, const Vec3<Real>& to) const {
   const Real rim = inner.high.z();
+  if (onRim(from)) return keepOutside(outer, Vec3<Real>(from.x(), from.y(), rim), to);
   if (middle.holds(from)) {
     const bool leaves =
         open_top && to.z() > rim && withinSides(middle, pathAtHeight(from, to, rim));

@@ -52,25 +52,6 @@ SphereShape<Real> makeShape(const Sphere& s, double radius) {
   return {static_cast<Real>(s.radius_m + radius)};
 }
 
-/// Nearest allowed end of a path, with the tangential part of its motion reduced by friction.
-template <class Real, class Shape>
-Vec3<Real> contact(const Body<Real, Shape>& body, const Vec3<Real>& from, const Vec3<Real>& to,
-                   bool stick) {
-  const Vec3<Real> start = body.motion.from.toLocal(from);
-  const Vec3<Real> wanted = body.motion.to.toLocal(to);
-  Vec3<Real> allowed = body.shape.resolve(start, wanted);
-  const Vec3<Real> push = allowed - wanted;
-  const Real depth = push.norm();
-  if (depth == 0) return to;
-  const Vec3<Real> normal = push / depth;
-  const Vec3<Real> motion = allowed - start;
-  const Vec3<Real> sliding = motion - motion.dot(normal) * normal;
-  const Real slid = sliding.norm();
-  const Real held = stick ? slid : std::min(slid, body.friction * depth);
-  if (held > 0) allowed = body.shape.resolve(start, allowed - sliding * (held / slid));
-  return body.motion.to.toWorld(allowed);
-}
-
 template <class Real>
 Posed between(const Posed& a, const Posed& b, double fraction) {
   const Eigen::Quaterniond qa(a.rotation), qb(b.rotation);
@@ -84,7 +65,7 @@ Posed between(const Posed& a, const Posed& b, double fraction) {
 
 template <class Real>
 Colliders<Real>::Colliders(const Scene& scene, double radius_m)
-    : settled2_(static_cast<Real>(1e-8 * radius_m * radius_m)) {
+    : radius_m_(static_cast<Real>(radius_m)) {
   const auto add = [&](auto& bodies, const auto& items) {
     for (const auto& item : items) {
       const Posed pose = item.pose();
@@ -96,23 +77,6 @@ Colliders<Real>::Colliders(const Scene& scene, double radius_m)
   add(containers, scene.containers);
   add(planes, scene.planes);
   add(spheres, scene.spheres);
-}
-
-template <class Real>
-Vec3<Real> Colliders<Real>::respond(const Vec3<Real>& from, const Vec3<Real>& to,
-                                    bool stick) const {
-  Vec3<Real> end = to;
-  // A later collider may push into an earlier one: in a wedge each pass halves what is left.
-  constexpr int kMaxPasses = 16;
-  const bool one = containers.size() + planes.size() + spheres.size() == 1;
-  for (int pass = 0; pass < (one ? 1 : kMaxPasses); ++pass) {
-    const Vec3<Real> before = end;
-    for (const auto& body : spheres) end = contact(body, from, end, stick);
-    for (const auto& body : planes) end = contact(body, from, end, stick);
-    for (const auto& body : containers) end = contact(body, from, end, stick);
-    if ((end - before).squaredNorm() <= settled2_) break;
-  }
-  return end;
 }
 
 template <class Real>
@@ -145,6 +109,36 @@ const typename Colliders<Real>::Travel& Colliders<Real>::travel(const std::strin
 template <class Real>
 void Colliders<Real>::moveTo(const std::string& name, const Posed& pose) {
   const_cast<Travel&>(travel(name)).target = pose;
+}
+
+/// How far from its origin a point of a collider can be that a turn moves and anybody notices.
+template <class Real>
+double Colliders<Real>::reachOf(std::size_t number, double reach_m) const {
+  if (number < containers.size()) {
+    const BoxShape<Real>& box = containers[number].shape.outer;
+    return double(box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).norm());
+  }
+  number -= containers.size();
+  if (number >= planes.size()) return 0.0;
+  const PlaneShape<Real>& shape = planes[number].shape;
+  if (shape.infinite) return reach_m;
+  return double(shape.plate.low.cwiseAbs().cwiseMax(shape.plate.high.cwiseAbs()).norm());
+}
+
+template <class Real>
+std::vector<Jump<Real>> Colliders<Real>::jump(double most_m, double reach_m) {
+  std::vector<Jump<Real>> jumps;
+  for (std::size_t k = 0; k < travels_.size(); ++k) {
+    Travel& travel = travels_[k];
+    const Eigen::AngleAxisd turn(travel.start.rotation.transpose() * travel.target.rotation);
+    const double far = (travel.target.position - travel.start.position).norm() +
+                       std::abs(turn.angle()) * reachOf(k, reach_m);
+    if (far <= most_m) continue;
+    jumps.push_back({k, {travel.start.template cast<Real>(), travel.target.template cast<Real>()}});
+    travel.start = travel.target;
+  }
+  if (!jumps.empty()) setSubstep(0.0, 0.0);
+  return jumps;
 }
 
 template <class Real>

@@ -8,6 +8,11 @@ namespace {
 /// Deeper than this, in spacings, a member would soon be on the other side of a wall.
 constexpr double kDeep_d = 0.4;
 
+/// A body that a collider landed on is pushed so often, until it is in by less than this, in
+/// spacings.
+constexpr int kMostPushes = 32;
+constexpr double kTouch_d = 0.05;
+
 }  // namespace
 
 /// What began deep may stay as it is, but not go deeper. True of what is not a number.
@@ -89,6 +94,39 @@ void IceContacts<Real>::putBack(IceBodies<Real>& bodies, Index b) {
   ++limited_;
 }
 
+/// Of the pushes that the colliders give the members of a body, m.
+template <class Real>
+Vec3d IceContacts<Real>::longestPush(const IceBodies<Real>& bodies, Index b) const {
+  const IceBody& body = bodies.body(b);
+  Vec3d longest = Vec3d::Zero();
+  for (std::size_t k = 0; k < faces_.count(); ++k) {
+    if (!faces_.near(k, body.pose.centre_m, body.pose.centre_m, body.radius_m)) continue;
+    for (Index m = body.first; m < body.surface_last; ++m) {
+      const Vec3d x = body.pose.at(bodies.offset(m));
+      const Vec3d push = faces_.push(k, x, x);
+      if (push.squaredNorm() > longest.squaredNorm()) longest = push;
+    }
+  }
+  return longest;
+}
+
+template <class Real>
+void IceContacts<Real>::expel(IceBodies<Real>& bodies, const Colliders<Real>& colliders) {
+  faces_.take(colliders);
+  for (Index b = 0; b < bodies.count(); ++b) {
+    IceBody& body = bodies.body(b);
+    if (body.anchor != kNone) continue;
+    for (int pass = 0; pass < kMostPushes; ++pass) {
+      const Vec3d push = longestPush(bodies, b);
+      if (push.norm() < kTouch_d * spacing_m_) break;
+      body.moveTo({body.pose.centre_m + push, body.pose.rotation});
+      body.pose = body.next;
+    }
+  }
+}
+
+template void IceContacts<float>::expel(IceBodies<float>&, const Colliders<float>&);
+template void IceContacts<double>::expel(IceBodies<double>&, const Colliders<double>&);
 template void IceContacts<float>::contain(IceBodies<float>&, VectorField<float>&);
 template void IceContacts<double>::contain(IceBodies<double>&, VectorField<double>&);
 

@@ -74,12 +74,18 @@ void IceBodies<Real>::limit(IceBody& body) {
   if (limited) limited_.fetch_add(1, std::memory_order_relaxed);
 }
 
+/// Where the collider that carries a body has it.
+template <class Real>
+Placement IceBodies<Real>::held(const IceBody& body, const Colliders<Real>& colliders) const {
+  const Placement carrier =
+      placementOf(motionOf(colliders, body.anchor).to.template cast<double>());
+  return {carrier.at(body.hold.centre_m), carrier.rotation * body.hold.rotation};
+}
+
 /// Moves a body with the collider that carries it.
 template <class Real>
 void IceBodies<Real>::follow(IceBody& body, const Colliders<Real>& colliders) const {
-  const Placement carrier =
-      placementOf(motionOf(colliders, body.anchor).to.template cast<double>());
-  body.moveTo({carrier.at(body.hold.centre_m), carrier.rotation * body.hold.rotation});
+  body.moveTo(held(body, colliders));
   body.velocity_m_s = (body.next.centre_m - body.pose.centre_m) / dt_s_;
   const Eigen::AngleAxisd turn(body.next.rotation * body.pose.rotation.conjugate());
   const Vec3d spin = turn.axis() * (turn.angle() / dt_s_);
@@ -205,6 +211,28 @@ void IceBodies<Real>::takeVelocities(Particles<Real>& particles) {
       particles.velocity.set(place_[m], rigid(body, spin, body.next.turn * offset_[m]));
     }
   });
+}
+
+template <class Real>
+void IceBodies<Real>::carry(const std::vector<Jump<Real>>& jumps,
+                            const Colliders<Real>& colliders) {
+  for (IceBody& body : bodies_) {
+    for (const Jump<Real>& jump : jumps) {
+      const Placement from = placementOf(jump.motion.from.template cast<double>());
+      const Placement to = placementOf(jump.motion.to.template cast<double>());
+      const Vec3d local = from.turn.transpose() * (body.pose.centre_m - from.centre_m);
+      const bool within = body.anchor == kNone && jump.number < colliders.containers.size() &&
+                          colliders.containers[jump.number].shape.inside(local.cast<Real>());
+      if (!within && body.anchor != jump.number) continue;
+      const Eigen::Quaterniond turn = to.rotation * from.rotation.conjugate();
+      body.moveTo(within ? Placement(to.at(local), turn * body.pose.rotation)
+                         : held(body, colliders));
+      body.pose = body.next;
+      body.velocity_m_s = turn * body.velocity_m_s;
+      body.angular_momentum = turn * body.angular_momentum;
+      break;
+    }
+  }
 }
 
 template <class Real>

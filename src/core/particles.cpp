@@ -22,24 +22,13 @@ Particles<Real> spawnParticles(const Scene& scene, std::vector<Spawn>& spawns) {
   std::uint32_t i = 0;
   for (const Block& block : scene.blocks) {
     const std::uint32_t first = i;
-    const double d = scene.spacing_m(block);
-    const auto size = latticeSize(block, d);
-    const bool turned = !block.rpy_deg.isZero();
-    const Posed pose = poseOf(block.centre_m(), block.rpy_deg);
-    for (std::int64_t z = 0; z < size.z(); ++z) {
-      for (std::int64_t y = 0; y < size.y(); ++y) {
-        const LatticeRow row = latticeRow(block, d, size, y, z);
-        for (std::int64_t x = row.first; x < row.last; ++x, ++i) {
-          const Vec3d cell(double(x) + 0.5, double(y) + 0.5, double(z) + 0.5);
-          Vec3d point = block.min_m + d * cell;
-          if (turned) point = pose.toWorld(point - block.centre_m());
-          particles.position.set(i, point.cast<Real>());
-          particles.predicted.set(i, point.cast<Real>());
-          particles.velocity.set(i, block.velocityAt(point).cast<Real>());
-          particles.id[i] = i;
-        }
-      }
-    }
+    forEachLatticePoint(block, scene.spacing_m(block), [&](const Vec3d& point) {
+      particles.position.set(i, point.cast<Real>());
+      particles.predicted.set(i, point.cast<Real>());
+      particles.velocity.set(i, block.velocityAt(point).template cast<Real>());
+      particles.id[i] = i;
+      ++i;
+    });
     spawns.push_back({first, i - first});
   }
   return particles;

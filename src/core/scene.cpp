@@ -6,6 +6,7 @@
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/kernels.h"
 #include "ice_ice_baby/scene_keys.h"
+#include "ice_ice_baby/spawn_check.h"
 
 namespace ice_ice_baby {
 
@@ -229,6 +230,7 @@ void validate(const Scene& scene) {
         "; enlarge fluid.spacing_m or raise the limit");
   }
   requireFluid(scene);
+  requireFreeSpawn(scene);
 }
 
 void applyPreset(Scene& scene, Preset preset, double spacing_m) {

@@ -60,6 +60,7 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
     findNeighbours();
     joinSheets();
     if (heat_) beginPhases();
+    if (!colliders_.empty()) expel();
     density_->computeLambda(particles_, neighbours_);
     updateReport();
   });
@@ -95,6 +96,7 @@ void Simulator<Real>::runSubsteps() {
   };
   const std::uint64_t limited_before = bodiesLimited();
   const std::uint64_t cut_before = density_->limited();
+  if (colliders_moving_) jumpColliders();
   for (int k = 0; k < substeps_; ++k) {
     if (colliders_moving_) colliders_.setSubstep(double(k) / substeps_, double(k + 1) / substeps_);
     substep(1.0 / (scene_.solver.frame_rate_hz * substeps_));

@@ -6,7 +6,7 @@
 
 #include "fixtures.h"
 #include "ice_ice_baby/errors.h"
-#include "ice_ice_baby/simulation.h"
+#include "unchecked.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -22,7 +22,7 @@ std::size_t countDuplicates(const Simulation& simulation) {
 TEST(CoincidentTest, ABlockSpawnedTwicePartsAndFindsItsDensity) {
   Scene scene = test::splash();
   scene.blocks.push_back(scene.blocks.front());
-  const auto simulation = makeSimulation(scene);
+  const auto simulation = test::unchecked(scene, 1);
   ASSERT_EQ(simulation->report().particles, 2 * countDuplicates(*simulation));
   for (int frame = 0; frame < 120; ++frame) simulation->advanceFrame();
   EXPECT_EQ(countDuplicates(*simulation), 0U);
@@ -33,7 +33,7 @@ TEST(CoincidentTest, PartingIsTheSameInEveryRun) {
   Scene scene = test::splash();
   scene.blocks.push_back(scene.blocks.front());
   const auto hashAfter = [&](int threads) {
-    const auto simulation = makeSimulation(scene, Precision::kFloat, threads);
+    const auto simulation = test::unchecked(scene, threads);
     for (int frame = 0; frame < 10; ++frame) simulation->advanceFrame();
     return simulation->stateHash();
   };

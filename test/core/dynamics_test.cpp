@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "fixtures.h"
-#include "ice_ice_baby/simulation.h"
+#include "unchecked.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -70,7 +70,7 @@ TEST(WaterTest, AViolentSplashStaysInItsContainer) {
 TEST(WaterTest, AnOverfullContainerReportsItsErrorAndLosesNothing) {
   Scene scene = fullTank(5);
   scene.blocks.push_back(test::blockOf({-0.115, -0.115, 0.01}, {0.085, 0.085, 0.21}));
-  const auto simulation = makeSimulation(scene);
+  const auto simulation = test::unchecked(scene);
   run(*simulation, 60);
   EXPECT_TRUE(allFinite(*simulation));
   EXPECT_EQ(simulation->countEscaped(), 0u);
@@ -233,7 +233,7 @@ TEST(ExtremesTest, NothingBecomesNotFiniteOrEscapes) {
   const auto survives = [](const char* what, auto&& change) {
     Scene scene = splash();
     change(scene);
-    const auto simulation = makeSimulation(scene);
+    const auto simulation = test::unchecked(scene);
     run(*simulation, 10);
     EXPECT_TRUE(allFinite(*simulation)) << what;
     EXPECT_EQ(simulation->countEscaped(), 0u) << what;

@@ -118,6 +118,8 @@ TEST(EnergyTest, WaterLandsOnARimWithoutBeingThrownAside) {
   scene.solver.substeps = 24;
   scene.containers.push_back(test::tankOf({0.4, 0.4, 0.3}, true));
   scene.blocks.push_back(test::blockOf({-0.25, -0.05, 0.4}, {0.25, 0.05, 0.42}));
+  scene.planes.emplace_back();
+  scene.planes[0].name = "ground";
   const double fall_m_s = std::sqrt(2 * 9.81 * 0.42);
   const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
   for (int frame = 0; frame < 40; ++frame) {

@@ -1,0 +1,14 @@
+// Scenes that makeSimulation refuses, for tests of what the core does with them all the same.
+#pragma once
+
+#include <memory>
+
+#include "ice_ice_baby/simulator.h"
+
+namespace ice_ice_baby::test {
+
+inline std::unique_ptr<Simulation> unchecked(const Scene& scene, int threads = 0) {
+  return std::make_unique<Simulator<float>>(scene, threads);
+}
+
+}  // namespace ice_ice_baby::test
