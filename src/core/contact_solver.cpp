@@ -42,8 +42,10 @@ void IceContacts<Real>::makeRows(const IceBodies<Real>& bodies, const Contact& c
   // Both bodies get the impulse at one point, or angular momentum would be made of nothing.
   const Vec3d touch =
       wall ? Vec3d(at_a - spacing_m_ / 2 * contact.normal) : Vec3d((at_a + at_b) / 2);
-  const Vec3d arm_a = touch - a.next.centre_m;
-  const Vec3d arm_b = wall ? Vec3d::Zero() : Vec3d(touch - b.next.centre_m);
+  const Vec3d arm_a = contact.swept ? contact.arm_a : Vec3d(touch - a.next.centre_m);
+  const Vec3d arm_b = wall            ? Vec3d::Zero()
+                      : contact.swept ? contact.arm_b
+                                      : Vec3d(touch - b.next.centre_m);
   const double gap = contact.normal.dot(at_a - at_b) - (wall ? 0.0 : contact_m_);
 
   // How far the two surfaces slid over each other since the substep began.
@@ -133,7 +135,7 @@ void IceContacts<Real>::levelMomenta(IceBodies<Real>& bodies) {
     const Vec3d given =
         contact.pressed * contact.normal + contact.rubbed - rows_[walls_.size() + k].given;
     const Vec3d passed = (a.next.centre_m - a.pose.centre_m) - (b.next.centre_m - b.pose.centre_m);
-    const Vec3d turn = passed.cross(given) / (2 * bodies.dt_s());
+    const Vec3d turn = contact.met * passed.cross(given) / (2 * bodies.dt_s());
     a.angular_momentum += turn;
     b.angular_momentum += turn;
   }
