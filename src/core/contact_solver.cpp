@@ -11,6 +11,9 @@ namespace {
 /// Sweeps of one solve at most, half of them there and half back.
 constexpr int kSweeps = 10;
 
+/// The same where bodies would pass each other: what a sweep leaves of so long a way is too much.
+constexpr int kSweptSweeps = 200;
+
 /// A sweep that moves nothing by more than this, in spacings, is the last.
 constexpr double kSettled_d = 1e-7;
 
@@ -211,7 +214,8 @@ void IceContacts<Real>::solve(IceBodies<Real>& bodies, VectorField<Real>& predic
     if (warm_) applyWarm(rows, contact);
   }
   warm_ = false;
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+  const int sweeps = swept_.empty() ? kSweeps : kSweptSweeps;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
     double moved = 0.0;
     for (std::size_t k = 0; k < contacts; ++k) {
       const std::size_t at = sweep % 2 == 0 ? k : contacts - 1 - k;
