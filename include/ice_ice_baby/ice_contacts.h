@@ -53,6 +53,9 @@ class IceContacts {
     double friction;
     double pressed = 0;            ///< multiplier of the normal, kg m: its force times dt^2
     Vec3d rubbed = Vec3d::Zero();  ///< those of the two tangents
+    bool swept = false;            ///< met on the way and passed since, where the arms tell
+    double met = 1.0;              ///< share of the substep after which it touches
+    Vec3d arm_a = Vec3d::Zero(), arm_b = Vec3d::Zero();  ///< from the centres, m, if swept
   };
   /// One direction of a contact, linear in the moves of its bodies.
   struct Row {
@@ -90,6 +93,9 @@ class IceContacts {
   void wakeByBodies(IceBodies<Real>& bodies);
   void findCandidates(const IceBodies<Real>& bodies, const VectorField<Real>& predicted,
                       const Neighbours<Real>& neighbours);
+  void findSwept(IceBodies<Real>& bodies);
+  void sweepPair(IceBodies<Real>& bodies, Index a, Index b);
+  void addSwept();
   void addPair(const IceBodies<Real>& bodies, const Candidate& candidate);
   Vec3d normalBetween(const Vec3d& bare_a, const Vec3d& bare_b, const Vec3d& now,
                       const Vec3d& before) const;
@@ -121,6 +127,7 @@ class IceContacts {
   ColliderFaces faces_;
   std::vector<Contact> walls_, pairs_;
   std::vector<Contact> old_walls_, old_pairs_;
+  std::vector<Contact> swept_;  ///< of bodies that would pass each other in this substep
   std::vector<Contact> dormant_walls_, dormant_pairs_;  ///< of what sleeps
   std::vector<Rows> rows_;
   std::vector<Move> moves_;       ///< (bodies)

@@ -11,6 +11,9 @@ namespace {
 /// Sweeps of one solve at most, half of them there and half back.
 constexpr int kSweeps = 10;
 
+/// The same where bodies would pass each other: what a sweep leaves of so long a way is too much.
+constexpr int kSweptSweeps = 200;
+
 /// A sweep that moves nothing by more than this, in spacings, is the last.
 constexpr double kSettled_d = 1e-7;
 
@@ -42,8 +45,10 @@ void IceContacts<Real>::makeRows(const IceBodies<Real>& bodies, const Contact& c
   // Both bodies get the impulse at one point, or angular momentum would be made of nothing.
   const Vec3d touch =
       wall ? Vec3d(at_a - spacing_m_ / 2 * contact.normal) : Vec3d((at_a + at_b) / 2);
-  const Vec3d arm_a = touch - a.next.centre_m;
-  const Vec3d arm_b = wall ? Vec3d::Zero() : Vec3d(touch - b.next.centre_m);
+  const Vec3d arm_a = contact.swept ? contact.arm_a : Vec3d(touch - a.next.centre_m);
+  const Vec3d arm_b = wall            ? Vec3d::Zero()
+                      : contact.swept ? contact.arm_b
+                                      : Vec3d(touch - b.next.centre_m);
   const double gap = contact.normal.dot(at_a - at_b) - (wall ? 0.0 : contact_m_);
 
   // How far the two surfaces slid over each other since the substep began.
@@ -133,7 +138,7 @@ void IceContacts<Real>::levelMomenta(IceBodies<Real>& bodies) {
     const Vec3d given =
         contact.pressed * contact.normal + contact.rubbed - rows_[walls_.size() + k].given;
     const Vec3d passed = (a.next.centre_m - a.pose.centre_m) - (b.next.centre_m - b.pose.centre_m);
-    const Vec3d turn = passed.cross(given) / (2 * bodies.dt_s());
+    const Vec3d turn = contact.met * passed.cross(given) / (2 * bodies.dt_s());
     a.angular_momentum += turn;
     b.angular_momentum += turn;
   }
@@ -209,7 +214,8 @@ void IceContacts<Real>::solve(IceBodies<Real>& bodies, VectorField<Real>& predic
     if (warm_) applyWarm(rows, contact);
   }
   warm_ = false;
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+  const int sweeps = swept_.empty() ? kSweeps : kSweptSweeps;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
     double moved = 0.0;
     for (std::size_t k = 0; k < contacts; ++k) {
       const std::size_t at = sweep % 2 == 0 ? k : contacts - 1 - k;

@@ -48,6 +48,7 @@ void IceContacts<Real>::find(IceBodies<Real>& bodies, const VectorField<Real>& p
   builds_ = neighbours.builds();
   wakeByColliders(bodies);
   wakeByBodies(bodies);
+  findSwept(bodies);
   findWalls(bodies);
   for (const Candidate& candidate : candidates_) addPair(bodies, candidate);
   found_.resize(bodies.count());
@@ -61,6 +62,7 @@ void IceContacts<Real>::find(IceBodies<Real>& bodies, const VectorField<Real>& p
   layDown(bodies, old_pairs_, dormant_pairs_);
   keepSupports(bodies, walls_);
   keepSupports(bodies, pairs_);
+  addSwept();
   dt_s_ = bodies.dt_s();
   warm_ = true;
 }
@@ -242,7 +244,7 @@ void IceContacts<Real>::startWarm(std::vector<Contact>& contacts,
   for (Contact& contact : contacts) {
     while (k < before.size() && before[k].key < contact.key) ++k;
     if (k == before.size()) return;
-    if (before[k].key != contact.key) continue;
+    if (before[k].key != contact.key || before[k].swept) continue;
     contact.pressed = ratio * before[k].pressed;
     contact.rubbed = ratio * before[k].rubbed;
   }
@@ -268,8 +270,8 @@ void IceContacts<Real>::layDown(const IceBodies<Real>& bodies, const std::vector
 template <class Real>
 std::size_t IceContacts<Real>::bytes() const {
   const std::size_t contacts = walls_.capacity() + pairs_.capacity() + old_walls_.capacity() +
-                               old_pairs_.capacity() + dormant_walls_.capacity() +
-                               dormant_pairs_.capacity();
+                               old_pairs_.capacity() + swept_.capacity() +
+                               dormant_walls_.capacity() + dormant_pairs_.capacity();
   return contacts * sizeof(Contact) + rows_.capacity() * sizeof(Rows) +
          moves_.capacity() * sizeof(Move) + found_.capacity() * sizeof(Placement) +
          candidates_.capacity() * sizeof(Candidate) +
