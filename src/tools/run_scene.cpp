@@ -11,6 +11,7 @@
 #include "frame_loop.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_loader.h"
+#include "output_room.h"
 #include "run_report.h"
 #include "series_writer.h"
 
@@ -112,9 +113,14 @@ int runScene(const Options& options) {
   const double duration = options.duration_s.value_or(scene.duration_s);
   requireInRange("--duration", duration, 0.0, 1e6);
   requireInRange("--frames-hz", options.outputs.frames_hz, 1e-3, 1e4);
+  requireRoom(options.outputs, scene, duration);
   if (!options.report.empty()) requireWritable(options.report, "report");
   if (!options.particles.empty()) requireWritable(options.particles, "particles");
   const auto simulation = makeSimulation(scene, parsePrecision(options.precision), options.threads);
+  if (simulation->report().particles == 0) {
+    std::fprintf(stderr, "run_scene: warning: %s holds no water, as its blocks are none\n",
+                 scene.name.c_str());
+  }
   RunRecord record = runFrames(*simulation, options.outputs, duration);
   record.precision = options.precision;
   record.threads = options.threads > 0 ? options.threads : int(std::thread::hardware_concurrency());
@@ -128,11 +134,18 @@ int runScene(const Options& options) {
   return kUnstable;
 }
 
+/// A broken scene does not keep the others from being listed.
 int listScenes() {
+  ExitCode code = kRan;
   for (const std::string& name : sceneNames()) {
-    std::printf("%-20s %s\n", name.c_str(), loadScene(name).description.c_str());
+    try {
+      std::printf("%-20s %s\n", name.c_str(), loadScene(name).description.c_str());
+    } catch (const InvalidInput& e) {
+      std::fprintf(stderr, "run_scene: %s\n", e.what());
+      code = kBadInput;
+    }
   }
-  return kRan;
+  return code;
 }
 
 int run(const Options& options) {
@@ -159,7 +172,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? ice_ice_baby::kRan : ice_ice_baby::kBadInput;
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help
+    std::fprintf(stderr, "run_scene: %s; run_scene --help has every option\n", e.what());
+    return ice_ice_baby::kBadInput;
   }
   return ice_ice_baby::run(options);
 }
