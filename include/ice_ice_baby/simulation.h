@@ -139,7 +139,8 @@ class Simulation {
 };
 
 /// @param threads threads to use, 0: all of the machine's
-/// @throws InvalidInput for a scene that validate() refuses or more than 1024 threads
+/// @throws InvalidInput for a scene that validate() refuses or that this machine has no memory for,
+/// and for more than 1024 threads
 std::unique_ptr<Simulation> makeSimulation(const Scene& scene,
                                            Precision precision = Precision::kFloat,
                                            int threads = 0);

@@ -118,7 +118,7 @@ int runScene(const Options& options) {
   if (!options.particles.empty()) requireWritable(options.particles, "particles");
   const auto simulation = makeSimulation(scene, parsePrecision(options.precision), options.threads);
   if (simulation->report().particles == 0) {
-    std::fprintf(stderr, "run_scene: warning: %s holds no water, as its blocks are none\n",
+    std::fprintf(stderr, "run_scene: warning: scene \"%s\" holds no water: it has no blocks\n",
                  scene.name.c_str());
   }
   RunRecord record = runFrames(*simulation, options.outputs, duration);

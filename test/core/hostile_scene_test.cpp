@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/memory_need.h"
 #include "ice_ice_baby/scene_loader.h"
 
 namespace ice_ice_baby {
@@ -118,6 +119,14 @@ TEST(HostileScene, IsCountedBeforeMemoryIsTakenAndAtLittleCost) {
   EXPECT_LT(particleCount(parseScene(ball, {{"limits.max_particles", "6e5"}})), 530000);
   expectRefusal(ball, {"more than limits.max_particles = 5e+05"},
                 {{"limits.max_particles", "5e5"}});
+}
+
+TEST(HostileScene, FitsTheMemoryOfTheMachine) {
+  const Scene scene = parseScene("fluid: {spacing_m: 0.01}\nblocks: [{max_m: [1, 1, 1]}]");
+  EXPECT_NO_THROW(requireMemory(scene, 200e6));
+  expectWords(refusalOf([&] { requireMemory(scene, 199e6); }),
+              {"1e+06 particles", "at least 200 MB", "has 199 MB", "fluid.spacing_m"});
+  EXPECT_GT(machineMemory_bytes(), 1e8);
 }
 
 TEST(HostileScene, AFrameEnds) {

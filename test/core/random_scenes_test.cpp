@@ -170,7 +170,6 @@ void expectConsistent(const Simulation& simulation, std::uint64_t frame) {
                 std::isfinite(s.density) && std::isfinite(s.temperature_c))
         << "particle " << s.id;
   }
-  EXPECT_EQ(simulation.countEscaped(), 0u);
 }
 
 /// @return whether the scene ran; one that is refused must be so before anything is made
@@ -182,10 +181,12 @@ bool expectRuns(const Scene& scene) {
   } catch (const InvalidInput&) {
     return false;
   }
+  const std::size_t outside = one->countEscaped();  // of a block that juts out of a tilted tank
   for (int frame = 1; frame <= kFrames; ++frame) {
     one->advanceFrame();
     two->advanceFrame();
     expectConsistent(*one, std::uint64_t(frame));
+    EXPECT_LE(one->countEscaped(), outside);
     EXPECT_EQ(one->stateHash(), two->stateHash()) << "frame " << frame;
     if (testing::Test::HasFailure()) return true;
   }
