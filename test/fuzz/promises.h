@@ -14,8 +14,13 @@ void requireReadable(const std::string& message);
 /// Every particle is there and finite.
 void requireWhole(const Simulation& simulation, std::size_t particles);
 
-/// Runs two frames of a scene that is small enough for a fuzzer, under requireWhole. A scene that
-/// is valid but large is left alone.
-void runIfSmall(const Scene& scene);
+/// Whether two frames of a scene take no more than milliseconds.
+bool isSmall(const Scene& scene);
+
+/// Runs two frames under requireWhole.
+void runTwoFrames(Simulation& simulation);
+
+/// runTwoFrames of a scene; one that is valid but large is left alone.
+void runIfSmall(Scene scene);
 
 }  // namespace ice_ice_baby::fuzz

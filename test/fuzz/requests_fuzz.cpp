@@ -15,11 +15,11 @@ namespace ice_ice_baby::fuzz {
 namespace {
 
 constexpr char kScene[] = R"(
-fluid: {spacing_m: 0.05}
+fluid: {spacing_m: 0.05, wall_density: false}
 heat: {enabled: true}
 solver: {quality: fast}
 blocks: [{min_m: [-0.1, -0.1, 0], max_m: [0.1, 0.1, 0.1], celsius: -1}]
-containers: [{name: tank, size_m: [0.3, 0.3, 0.4], open_top: false, heat: temperature}]
+planes: [{name: tank, heat: temperature}]
 )";
 
 /// @throws ros::Exception where the bytes end too early, as roscpp does before any callback
