@@ -22,7 +22,7 @@ std::string numberText(double value);
 /// that echoes what somebody sent.
 std::string shortened(const std::string& text);
 
-/// "a, b, c"
+/// "a, b, c"; of what is longer than 2000 bytes the beginning, " and N more"
 std::string joined(const std::vector<std::string>& words);
 
 /// The entry of `known` that a mistyped `word` most likely meant, or "" when none is near. Words of

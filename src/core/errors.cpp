@@ -38,8 +38,12 @@ std::string shortened(const std::string& text) {
 }
 
 std::string joined(const std::vector<std::string>& words) {
+  constexpr std::size_t kMost = 2000;
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (text.size() > kMost) return text + " and " + std::to_string(words.size() - k) + " more";
+    text += (text.empty() ? "" : ", ") + words[k];
+  }
   return text;
 }
 

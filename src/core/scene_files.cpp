@@ -84,8 +84,9 @@ std::string sceneFile(const std::string& name) {
   const fs::path ordinary = folder / (name + ".yaml");
   const fs::path file = fs::exists(ordinary) ? ordinary : folder / kVerification / (name + ".yaml");
   if (!liesWithin(file, folder)) {
-    throw InvalidInput("scene " + name + " is a link that leads out of the scene folder " +
-                       folder.string() + "; copy the file there, or run it by its path");
+    throw InvalidInput("scene " + shortened(name) +
+                       " is a link that leads out of the scene folder " + folder.string() +
+                       "; copy the file there, or run it by its path");
   }
   return file.string();
 }

@@ -200,6 +200,9 @@ TEST(MessageTest, ShowsControlCharactersAndWholeLetters) {
   const std::string cut = shortened(std::string(99, 'x') + "ää");
   EXPECT_EQ(cut, std::string(99, 'x') + "ä...");
   EXPECT_EQ(numberText(-std::nan("")), "nan");
+  const std::string many = joined(std::vector<std::string>(1000, "ten_bytes_"));
+  EXPECT_LT(many.size(), 2100u);
+  EXPECT_NE(many.find("ten_bytes_, ten_bytes_ and 833 more"), std::string::npos) << many;
   EXPECT_EQ(nearest(std::string(1 << 20, 'x'), {"x"}), "");
 }
 

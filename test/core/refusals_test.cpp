@@ -92,6 +92,7 @@ std::vector<Refused> motions() {
          s.setGravity({kNan, 0, 0});
        },
        {"gravity x", "nan"}},
+      {"nobody of two lines", move("p\nn", at({0, 0, 0})), {"p\\x0an"}},
       {"nobody", move("pan", at({0, 0, 0})), {"pan", "tank"}},
       {"far", move("tank", at({0, 101, 0})), {"position of collider tank", "101", "[-100, 100]"}},
       {"nowhere", move("tank", at({kInf, 0, 0})), {"position of collider tank", "inf"}},
