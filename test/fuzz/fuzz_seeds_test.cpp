@@ -19,6 +19,7 @@ struct Named {
 
 const std::vector<Named> kTargets{
     {"scene_yaml", sceneYaml},         {"overrides", overrides}, {"commands", commands},
+    {"checkpoint", checkpoint},
 #ifdef IIB_FUZZ_ROS
     {"parameter_tree", parameterTree}, {"requests", requests},
 #endif

@@ -16,9 +16,10 @@ class Broken : public std::logic_error {
 /// A function that takes any bytes and throws only Broken; whatever else leaves it is a finding.
 using Target = void (*)(const std::string& bytes);
 
-void sceneYaml(const std::string& bytes);  ///< a scene file
-void overrides(const std::string& bytes);  ///< run_scene --set, one a line
-void commands(const std::string& bytes);   ///< what users change between frames, one a line
+void sceneYaml(const std::string& bytes);   ///< a scene file
+void overrides(const std::string& bytes);   ///< run_scene --set, one a line
+void commands(const std::string& bytes);    ///< what users change between frames, one a line
+void checkpoint(const std::string& bytes);  ///< a checkpoint, and edits of one whose checksum holds
 #ifdef IIB_FUZZ_ROS
 void parameterTree(const std::string& bytes);  ///< private parameters of the node, as XML-RPC
 void requests(const std::string& bytes);       ///< a service request as it comes over the wire
