@@ -137,8 +137,8 @@ struct LatticeRow {
 LatticeRow latticeRow(const Block& block, double spacing_m,
                       const Eigen::Array<std::int64_t, 3, 1>& size, std::int64_t y, std::int64_t z);
 
-/// Particles that the scene spawns. A ball or a cylinder in a box of more than 1e8 lattice points
-/// counts as the whole box: more than any scene may hold.
+/// Particles that the scene spawns. A ball or a cylinder in a box of more than four times
+/// limits.max_particles counts as the whole box: the scene holds too many either way.
 std::int64_t particleCount(const Scene& scene);
 
 /// Refuses a value out of its range, and what no single key shows to be wrong: no room in memory,

@@ -60,8 +60,9 @@ struct StepReport {
   static void exchange(Self& self, Archive& archive) {
     archive(self.frame, self.time_s, self.particles, self.springs, self.temperature_c,
             self.strictness, self.asleep, self.density_error_mean, self.density_error_max,
-            self.kinetic_energy_j, self.potential_energy_j, self.max_speed_m_s, self.rms_speed_m_s,
-            self.speed_limited, self.non_finite, self.substeps, self.mean_celsius, self.enthalpy_j,
+            self.kinetic_energy_j, self.potential_energy_j, self.elastic_energy_j,
+            self.max_speed_m_s, self.rms_speed_m_s, self.speed_limited, self.correction_limited,
+            self.non_finite, self.substeps, self.mean_celsius, self.enthalpy_j,
             self.heat_speedup, self.bodies, self.bodies_asleep, self.ice_particles,
             self.steam_particles);
   }
@@ -164,7 +165,8 @@ class Simulation {
 };
 
 /// @param threads threads to use, 0: all of the machine's
-/// @throws InvalidInput for a scene that validate() refuses or more than 1024 threads
+/// @throws InvalidInput for a scene that validate() refuses or that this machine has no memory for,
+/// and for more than 1024 threads
 std::unique_ptr<Simulation> makeSimulation(const Scene& scene,
                                            Precision precision = Precision::kFloat,
                                            int threads = 0);

@@ -103,7 +103,7 @@ const typename Colliders<Real>::Travel& Colliders<Real>::travel(const std::strin
     if (travel.name == name) return travel;
     names.push_back(travel.name);
   }
-  throw InvalidInput("no collider \"" + name + "\"; the scene has: " + joined(names));
+  throw InvalidInput("no collider \"" + shortened(name) + "\"; the scene has: " + joined(names));
 }
 
 template <class Real>

@@ -7,7 +7,14 @@
 
 namespace ice_ice_baby {
 
+namespace {
+
+bool isControl(unsigned char byte) { return byte < 0x20 || byte == 0x7f; }
+
+}  // namespace
+
 std::string numberText(double value) {
+  if (std::isnan(value)) return "nan";  // whatever its sign
   char text[32];
   const auto result = std::to_chars(text, text + sizeof text, value + 0.0);  // no "-0"
   return std::string(text, result.ptr);
@@ -15,13 +22,28 @@ std::string numberText(double value) {
 
 std::string shortened(const std::string& text) {
   constexpr std::size_t kMost = 100;
-  const std::string whole(text.c_str());
-  return whole.size() <= kMost ? whole : whole.substr(0, kMost) + "...";
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string out;
+  for (const char* c = text.c_str(); *c; ++c) {
+    const auto byte = static_cast<unsigned char>(*c);
+    const bool within_character = (byte & 0xc0) == 0x80;  // of UTF-8
+    if (out.size() >= kMost && !within_character) return out + "...";
+    if (isControl(byte)) {
+      out += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
+    } else if (out.size() < kMost + 3) {
+      out += *c;
+    }
+  }
+  return out;
 }
 
 std::string joined(const std::vector<std::string>& words) {
+  constexpr std::size_t kMost = 2000;
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (text.size() > kMost) return text + " and " + std::to_string(words.size() - k) + " more";
+    text += (text.empty() ? "" : ", ") + words[k];
+  }
   return text;
 }
 
@@ -44,6 +66,8 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearest(const std::string& word, const std::vector<std::string>& known) {
+  constexpr std::size_t kLongestWord = 100;  // the search is as long as the word
+  if (word.size() > kLongestWord) return "";
   std::string best;
   std::size_t best_distance = word.size() / 2 + 1;
   for (const std::string& candidate : known) {
@@ -68,6 +92,28 @@ void requireInRange(const std::string& thing, double value, double min, double m
   if (std::isfinite(value) && value >= min && value <= max) return;
   throw InvalidInput(thing + " = " + numberText(value) + " is outside the allowed range [" +
                      numberText(min) + ", " + numberText(max) + "]");
+}
+
+void requireText(const std::string& thing, const std::string& text) {
+  if (text.size() > kLongestText) {
+    throw InvalidInput(thing + " = " + shortened(text) + " has " + std::to_string(text.size()) +
+                       " bytes; at most " + std::to_string(kLongestText) + " are allowed");
+  }
+  const auto bad = std::find_if(text.begin(), text.end(),
+                                [](unsigned char c) { return isControl(c) && c != '\n'; });
+  if (bad == text.end()) return;
+  throw InvalidInput(thing + " = " + shortened(text) + " holds a control character, code " +
+                     std::to_string(static_cast<unsigned char>(*bad)) + "; remove it");
+}
+
+void requireFrameName(const std::string& thing, const std::string& name) {
+  const bool plain =
+      std::all_of(name.begin(), name.end(), [](unsigned char c) { return c > ' ' && c < 0x7f; });
+  const bool slash_at_end = !name.empty() && (name.front() == '/' || name.back() == '/');
+  if (!name.empty() && name.size() <= kLongestFrameName && plain && !slash_at_end) return;
+  throw InvalidInput(thing + " = \"" + shortened(name) + "\" must be fit for a tf frame: 1 to " +
+                     std::to_string(kLongestFrameName) +
+                     " ASCII characters without spaces, no / at either end");
 }
 
 }  // namespace ice_ice_baby

@@ -27,7 +27,7 @@ const typename HeatWalls<Real>::Surface& HeatWalls<Real>::surface(const std::str
     if (one.name == name) return one;
     names.push_back(one.name);
   }
-  throw InvalidInput("no collider \"" + name + "\"; the scene has: " + joined(names));
+  throw InvalidInput("no collider \"" + shortened(name) + "\"; the scene has: " + joined(names));
 }
 
 template <class Real>

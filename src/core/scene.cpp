@@ -1,8 +1,11 @@
 #include "ice_ice_baby/scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <type_traits>
 
+#include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/kernels.h"
 #include "ice_ice_baby/scene_keys.h"
@@ -12,14 +15,15 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Upper end of limits.max_particles.
-constexpr double kMaxParticles = 1e8;
+/// Sweeps of the solver within a frame at most: between two frames alone can it be stopped.
+constexpr int kMaxSweeps = 10000;
 
 constexpr double kPaperSupportRadius_m = 0.03;
 constexpr double kPaperSpacing_m = 0.0211;
 constexpr double kPaperEpsilon_1_m2 = 0.1;
 
-/// Visitor of describe(): holds every number to its range, for scenes that no file was read for.
+/// Visitor of describe(): holds every number and text to its range, for scenes that no file was
+/// read for.
 class RangeCheck {
  public:
   explicit RangeCheck(std::string path) : path_(std::move(path)) {}
@@ -33,6 +37,9 @@ class RangeCheck {
     } else {
       requireInRange(path_ + name, value, range.min, range.max);
     }
+  }
+  void operator()(const char* name, std::string& value, const char*) const {
+    requireText(path_ + name, value);
   }
   template <class Other>
   void operator()(const char*, Other&, const char*) const {}
@@ -150,11 +157,12 @@ LatticeRow latticeRow(const Block& block, double spacing_m,
 
 namespace {
 
-/// As a floating point number, which no scene overflows.
-double particleCount(const Block& block, double spacing_m) {
+/// As a floating point number, which no scene overflows. The box in place of a shape in it that
+/// holds more than `most` anyway: a row of points costs time, and a shape fills half of its box.
+double particleCount(const Block& block, double spacing_m, double most) {
   const auto size = latticeSize(block, spacing_m);
   const double whole = size.cast<double>().prod();
-  if (block.shape == BlockShape::kBox || whole > kMaxParticles) return whole;
+  if (block.shape == BlockShape::kBox || whole > 4 * most) return whole;
   double count = 0.0;
   for (std::int64_t z = 0; z < size.z(); ++z) {
     for (std::int64_t y = 0; y < size.y(); ++y) {
@@ -168,8 +176,11 @@ double particleCount(const Block& block, double spacing_m) {
 }  // namespace
 
 std::int64_t particleCount(const Scene& scene) {
+  const double most = scene.limits.max_particles;
   double count = 0.0;
-  for (const Block& block : scene.blocks) count += particleCount(block, scene.spacing_m(block));
+  for (const Block& block : scene.blocks) {
+    count += particleCount(block, scene.spacing_m(block), std::max(0.0, most - count));
+  }
   return static_cast<std::int64_t>(std::min(count, 9e18));
 }
 
@@ -191,6 +202,67 @@ void requireHeat(const Scene& scene) {
 
 }  // namespace
 
+namespace {
+
+void requireNames(const Scene& scene) {
+  if (scene.name.find('\n') != std::string::npos) {
+    throw InvalidInput("name = " + shortened(scene.name) + " must be one line");
+  }
+  std::set<std::string> taken;
+  forEachCollider(scene, [&](const Collider& collider) {
+    if (collider.name.empty()) return;  // of a scene made in code, which names what it moves
+    requireFrameName("name of a collider", collider.name);
+    if (!collider.follow_frame.empty()) {
+      requireFrameName("follow_frame of collider " + collider.name, collider.follow_frame);
+    }
+    if (!taken.insert(collider.name).second) {
+      throw InvalidInput("two colliders are called " + collider.name + "; give each its own name");
+    }
+  });
+}
+
+void requireSweeps(const Scene& scene) {
+  const int sweeps = scene.substeps() * scene.solver.iterations;
+  if (sweeps <= kMaxSweeps) return;
+  throw InvalidInput("solver.substeps x solver.iterations = " + std::to_string(sweeps) +
+                     " sweeps a frame is outside the allowed range [0, " +
+                     std::to_string(kMaxSweeps) + "]; lower one of them");
+}
+
+void requireBlock(const Scene& scene, const Block& block, const std::string& name) {
+  if (block.sheet && block.shape != BlockShape::kBox) {
+    throw InvalidInput(name +
+                       ": a sheet is a box one particle thick; set shape to box, or sheet "
+                       "to false");
+  }
+  if (block.sheet && scene.heat.enabled) {
+    throw InvalidInput(name +
+                       ": a sheet cannot be in a scene with heat.enabled, as it neither "
+                       "freezes nor melts; set one of them to false");
+  }
+  const double spacing = scene.spacing_m(block);
+  if (particleCount(block, spacing, scene.limits.max_particles) > 0) return;
+  throw InvalidInput(name + " holds no particle: max_m must exceed min_m by at least " +
+                     numberText(spacing) +
+                     " m along every axis, the spacing that follows from fluid.spacing_m");
+}
+
+/// The total first: it is found at little cost however many blocks there are.
+void requireBlocks(const Scene& scene) {
+  const std::int64_t count = particleCount(scene);
+  if (static_cast<double>(count) > scene.limits.max_particles) {
+    throw InvalidInput(
+        "the blocks hold " + std::to_string(count) +
+        " particles, more than limits.max_particles = " + numberText(scene.limits.max_particles) +
+        "; enlarge fluid.spacing_m or raise the limit");
+  }
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    requireBlock(scene, scene.blocks[k], "blocks." + std::to_string(k));
+  }
+}
+
+}  // namespace
+
 void validate(const Scene& scene) {
   Scene described = scene;
   describe(described, RangeCheck(""));
@@ -203,32 +275,9 @@ void validate(const Scene& scene) {
         " must be below temperature.onset_c = " + numberText(scene.temperature.onset_c));
   }
   requireHeat(scene);
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    const Block& block = scene.blocks[k];
-    const std::string name = "blocks." + std::to_string(k);
-    if (block.sheet && block.shape != BlockShape::kBox) {
-      throw InvalidInput(name +
-                         ": a sheet is a box one particle thick; set shape to box, or sheet "
-                         "to false");
-    }
-    if (block.sheet && scene.heat.enabled) {
-      throw InvalidInput(name +
-                         ": a sheet cannot be in a scene with heat.enabled, as it neither "
-                         "freezes nor melts; set one of them to false");
-    }
-    const double spacing = scene.spacing_m(block);
-    if (particleCount(block, spacing) > 0) continue;
-    throw InvalidInput(name + " holds no particle: max_m must exceed min_m by at least " +
-                       numberText(spacing) +
-                       " m along every axis, the spacing that follows from fluid.spacing_m");
-  }
-  const std::int64_t count = particleCount(scene);
-  if (static_cast<double>(count) > scene.limits.max_particles) {
-    throw InvalidInput(
-        "the blocks hold " + std::to_string(count) +
-        " particles, more than limits.max_particles = " + numberText(scene.limits.max_particles) +
-        "; enlarge fluid.spacing_m or raise the limit");
-  }
+  requireNames(scene);
+  requireSweeps(scene);
+  requireBlocks(scene);
   requireFluid(scene);
   requireFreeSpawn(scene);
 }

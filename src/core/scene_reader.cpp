@@ -159,17 +159,11 @@ class Reader {
   std::vector<std::string> known_;
 };
 
-/// Colliders without a name are called container_0, plane_1 and so on; no name may stand twice.
+/// Colliders without a name are called container_0, plane_1 and so on.
 void nameColliders(Scene& scene) {
-  std::vector<std::string> names;
-  const auto name = [&](auto& colliders, const std::string& kind) {
+  const auto name = [](auto& colliders, const std::string& kind) {
     for (std::size_t k = 0; k < colliders.size(); ++k) {
-      std::string& own = colliders[k].name;
-      if (own.empty()) own = kind + "_" + std::to_string(k);
-      if (std::find(names.begin(), names.end(), own) != names.end()) {
-        throw InvalidInput("two colliders are called " + own + "; give each its own name");
-      }
-      names.push_back(own);
+      if (colliders[k].name.empty()) colliders[k].name = kind + "_" + std::to_string(k);
     }
   };
   name(scene.containers, "container");

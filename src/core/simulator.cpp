@@ -8,6 +8,7 @@
 
 #include "ice_ice_baby/clearance.h"
 #include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/memory_need.h"
 #include "ice_ice_baby/parallel.h"
 
 namespace ice_ice_baby {
@@ -285,6 +286,7 @@ void Simulator<Real>::applyViscosity(double dt_s) {
 std::unique_ptr<Simulation> makeSimulation(const Scene& scene, Precision precision, int threads) {
   requireInRange("threads", threads, 0, 1024);
   validate(scene);
+  requireMemory(scene, machineMemory_bytes());
   if (precision == Precision::kDouble) return std::make_unique<Simulator<double>>(scene, threads);
   return std::make_unique<Simulator<float>>(scene, threads);
 }

@@ -5,6 +5,7 @@
 
 #include "geometry.h"
 #include "ice_ice_baby/errors.h"
+#include "requests.h"
 #include "state_message.h"
 
 namespace ice_ice_baby {
@@ -22,31 +23,6 @@ bool answer(Response& response, const Work& work) {
     response.success = false;
   }
   return true;
-}
-
-/// @throws InvalidInput for a path as for an unknown name: files are the operator's to choose, not
-/// those of whoever reaches the service
-void requireSceneName(const std::string& name) {
-  const std::vector<std::string> names = sceneNames();
-  if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  throw InvalidInput("no scene \"" + shortened(name) + "\"" + suggestion(name, names));
-}
-
-/// @throws InvalidInput for a shape that no heated region has
-BlockShape shapeOf(const std::string& name) {
-  if (name == "box") return BlockShape::kBox;
-  if (name == "ball") return BlockShape::kBall;
-  throw InvalidInput("shape = \"" + shortened(name) + "\" must be one of: box, ball");
-}
-
-HeatRegion regionOf(const ApplyHeat::Request& request) {
-  HeatRegion region;
-  region.shape = shapeOf(request.shape);
-  region.centre_m = vectorOf(request.centre);
-  region.size_m = vectorOf(request.size);
-  region.power_w = request.power_w;
-  region.duration_s = request.duration_s;
-  return region;
 }
 
 /// What a temperature is set of, in words.

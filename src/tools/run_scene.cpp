@@ -12,6 +12,7 @@
 #include "ice_ice_baby/checkpoint.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_loader.h"
+#include "output_room.h"
 #include "run_report.h"
 #include "series_writer.h"
 
@@ -144,14 +145,15 @@ std::unique_ptr<Simulation> makeOrLoad(const Options& options) {
   return loadCheckpoint(options.load, options.threads);
 }
 
-void requireOutputs(const Options& options) {
+void requireOutputs(const Options& options, const Scene& scene, double end_s) {
   const RunOutputs& outputs = options.outputs;
-  if (options.duration_s) requireInRange("--duration", *options.duration_s, 0.0, 1e6);
+  requireInRange("--duration", end_s, 0.0, 1e6);
   requireInRange("--frames-hz", outputs.frames_hz, 1e-3, 1e4);
   requireInRange("--autosave", outputs.autosave_s, 0.0, 1e6);
   if (outputs.autosave_s > 0.0 && outputs.save.empty()) {
     throw InvalidInput("--autosave needs --save FILE, which says where to");
   }
+  requireRoom(outputs, scene, end_s);
   if (!outputs.save.empty()) requireSavable(outputs.save);
   if (!options.report.empty()) requireWritable(options.report, "report");
   if (!options.particles.empty()) requireWritable(options.particles, "particles");
@@ -167,8 +169,12 @@ void saveEnd(const Simulation& simulation, const RunRecord& record, const std::s
 
 int runScene(const Options& options) {
   const auto simulation = makeOrLoad(options);
-  requireOutputs(options);
   const double end_s = options.duration_s.value_or(simulation->scene().duration_s);
+  requireOutputs(options, simulation->scene(), end_s);
+  if (simulation->report().particles == 0) {
+    std::fprintf(stderr, "run_scene: warning: scene \"%s\" holds no water: it has no blocks\n",
+                 simulation->scene().name.c_str());
+  }
   RunRecord record = runFrames(*simulation, options.outputs, end_s);
   record.precision = simulation->precision() == Precision::kDouble ? "double" : "float";
   record.threads = options.threads > 0 ? options.threads : int(std::thread::hardware_concurrency());
@@ -185,11 +191,18 @@ int runScene(const Options& options) {
   return kUnstable;
 }
 
+/// A broken scene does not keep the others from being listed.
 int listScenes() {
+  ExitCode code = kRan;
   for (const std::string& name : sceneNames()) {
-    std::printf("%-20s %s\n", name.c_str(), loadScene(name).description.c_str());
+    try {
+      std::printf("%-20s %s\n", name.c_str(), loadScene(name).description.c_str());
+    } catch (const InvalidInput& e) {
+      std::fprintf(stderr, "run_scene: %s\n", e.what());
+      code = kBadInput;
+    }
   }
-  return kRan;
+  return code;
 }
 
 int run(const Options& options) {
@@ -216,7 +229,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? ice_ice_baby::kRan : ice_ice_baby::kBadInput;
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help
+    std::fprintf(stderr, "run_scene: %s; run_scene --help has every option\n", e.what());
+    return ice_ice_baby::kBadInput;
   }
   return ice_ice_baby::run(options);
 }

@@ -89,7 +89,7 @@ TEST(SceneRefusalTest, WhatIsNoScene) {
   expectRefusal("a: [1, 2", {"origin"});
   expectRefusal("a: b: c", {"not valid YAML"});
   expectRefusal("fluid: *nothing", {"not valid YAML"});
-  expectRefusal(std::string(200000, '['), {"not valid YAML"});
+  expectRefusal(std::string(200000, '['), {"deeper than 20"});
   expectRefusal(std::string("name: \0x", 8) + "\x01\x02", {"origin"});
 }
 

@@ -103,14 +103,21 @@ class RunScene(unittest.TestCase):
                  ([self.scene, "--series", self.folder / "no" / "s.csv"], "series"),
                  ([self.scene, "--particles", self.folder / "no" / "p.csv"], "particles"),
                  ([self.scene, "--record", self.folder / "no" / "r.npy"], "record"),
-                 ([self.scene, "--frames", self.scene], "small.yaml")]
+                 ([self.scene, "--frames", self.scene], "small.yaml"),
+                 ([self.scene, "--record", self.folder / "r.npy", "--duration", "1e6", "--set",
+                   "solver.frame_rate_hz=10000"], "MB free; lower --duration"),
+                 ([self.scene, "--frames", self.folder, "--duration", "1e6"],
+                  "3e+07 pictures, more than 1e+05"),
+                 (["/dev/zero"], "device or a pipe"), ([self.folder], "is a folder")]
         for words, clue in cases:
             with self.subTest(words=words):
                 self.assertIn(clue, self.refused(*words))
 
     def test_options_that_do_not_exist_are_bad_input(self):
         for words in (["--nonsense"], ["--threads", "many"], ["--duration"]):
-            self.assertEqual(self.run_scene(self.scene, *words).returncode, 1)
+            error = self.refused(self.scene, *words)
+            self.assertTrue(error.startswith("run_scene: "), error)
+            self.assertIn("--help", error)
 
     def test_what_becomes_unstable_has_its_own_exit_code(self):
         result = self.run_scene(self.scene, "--set", "solver.max_speed_m_s=0.01")
@@ -219,6 +226,19 @@ class RunScene(unittest.TestCase):
         self.assertIn("quality: balanced", self.run_scene("--defaults").stdout)
         result = self.run_scene("--list", ICE_ICE_BABY_SCENES=str(self.folder))
         self.assertEqual(result.stdout.split()[0], "small")
+
+    def test_a_broken_scene_is_named_and_the_others_listed(self):
+        (self.folder / "broken.yaml").write_text("name: a\nname: b\n")
+        result = self.run_scene("--list", ICE_ICE_BABY_SCENES=str(self.folder))
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stdout.split()[0], "small")
+        self.assertIn("broken: key name stands twice", result.stderr)
+
+    def test_a_scene_without_water_runs_and_says_so(self):
+        self.scene.write_text("duration_s: 0.02\n")
+        result = self.run_scene(self.scene)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("holds no water", result.stderr)
 
 
 if __name__ == "__main__":

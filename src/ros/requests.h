@@ -1,0 +1,19 @@
+// What a service request asks for, in the words of the core.
+#pragma once
+
+#include <ice_ice_baby/ApplyHeat.h>
+
+#include <string>
+
+#include "ice_ice_baby/simulation.h"
+
+namespace ice_ice_baby {
+
+/// @throws InvalidInput for a path as for an unknown name: files are the operator's to choose, not
+/// those of whoever reaches the service
+void requireSceneName(const std::string& name);
+
+/// @throws InvalidInput for a shape that no heated region has; the numbers are not checked
+HeatRegion regionOf(const ApplyHeat::Request& request);
+
+}  // namespace ice_ice_baby

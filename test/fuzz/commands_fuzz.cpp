@@ -1,0 +1,109 @@
+#include <cstdlib>
+#include <sstream>
+
+#include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/scene_loader.h"
+#include "promises.h"
+
+namespace ice_ice_baby::fuzz {
+
+namespace {
+
+/// Without containers and balls, whose tables cost a second with sanitizers.
+constexpr char kScene[] = R"(
+fluid: {spacing_m: 0.05, wall_density: false}
+heat: {enabled: true, speedup: 1000}
+solver: {quality: fast}
+blocks:
+  - {min_m: [-0.1, -0.1, 0], max_m: [0.1, 0.1, 0.1], celsius: 5}
+  - {min_m: [-0.1, -0.1, 0.1], max_m: [0.1, 0.1, 0.2], celsius: -5}
+planes:
+  - {name: ground, heat: temperature}
+  - {name: plate, size_x_m: 0.3, size_y_m: 0.3, position_m: [0, 0, 0.3], rpy_deg: [0, 10, 0]}
+)";
+
+constexpr int kMaxFrames = 5;
+constexpr int kMaxCommands = 100;
+
+/// Words of a line; a number is whatever strtod makes of one, so nan, inf and 0x1p-1074 are too.
+class Words {
+ public:
+  explicit Words(const std::string& line) : stream_(line) {}
+
+  std::string text() {
+    std::string word;
+    stream_ >> word;
+    return word;
+  }
+  double number() { return std::strtod(text().c_str(), nullptr); }
+  Vec3d vector() {
+    const double x = number(), y = number(), z = number();
+    return {x, y, z};
+  }
+
+ private:
+  std::istringstream stream_;
+};
+
+HeatRegion readRegion(Words& words) {
+  HeatRegion region;
+  const std::string shape = words.text();
+  if (shape == "box") region.shape = BlockShape::kBox;
+  if (shape == "cylinder") region.shape = BlockShape::kCylinder;
+  region.centre_m = words.vector();
+  region.size_m = words.vector();
+  region.power_w = words.number();
+  region.duration_s = words.number();
+  return region;
+}
+
+/// Not normalised: what is no rotation is for the simulation to refuse.
+Posed readPose(Words& words) {
+  Posed pose;
+  pose.position = words.vector();
+  const double w = words.number();
+  const Vec3d v = words.vector();
+  pose.rotation = Eigen::Quaterniond(w, v.x(), v.y(), v.z()).toRotationMatrix();
+  return pose;
+}
+
+void run(Simulation& simulation, const std::string& line) {
+  Words words(line);
+  const std::string verb = words.text();
+  if (verb == "temperature") {
+    const double celsius = words.number(), ramp_s = words.number();
+    simulation.setTemperature(celsius, ramp_s, words.text());
+  } else if (verb == "heat") {
+    simulation.heatRegion(readRegion(words));
+  } else if (verb == "gravity") {
+    simulation.setGravity(words.vector());
+  } else if (verb == "move") {
+    const std::string collider = words.text();
+    simulation.moveCollider(collider, readPose(words));
+  } else if (verb == "frame") {
+    simulation.advanceFrame();
+  }
+}
+
+}  // namespace
+
+void commands(const std::string& bytes) {
+  static const Scene scene = parseScene(kScene);
+  const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
+  const std::size_t particles = simulation->report().particles;
+  std::istringstream lines(bytes);
+  std::string line;
+  for (int k = 0; k < kMaxCommands && std::getline(lines, line); ++k) {
+    if (simulation->report().frame >= kMaxFrames) break;
+    const std::uint64_t before = simulation->stateHash();
+    try {
+      run(*simulation, line);
+    } catch (const InvalidInput& e) {
+      requireReadable(e.what());
+      if (simulation->stateHash() != before) throw Broken("a refusal changed the state: " + line);
+    }
+    requireWhole(*simulation, particles);
+  }
+}
+
+}  // namespace ice_ice_baby::fuzz

@@ -1,0 +1,71 @@
+#include "promises.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby::fuzz {
+
+namespace {
+
+constexpr std::int64_t kMaxParticles = 300;
+constexpr std::size_t kMaxColliders = 20;
+constexpr int kMaxSweeps = 100;  ///< solver iterations of a frame
+constexpr std::size_t kMaxMessage = 4000;
+
+bool finite(const ParticleSample& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.vx) &&
+         std::isfinite(p.vy) && std::isfinite(p.vz) && std::isfinite(p.temperature_c) &&
+         std::isfinite(p.ice_fraction) && std::isfinite(p.density);
+}
+
+}  // namespace
+
+void requireReadable(const std::string& message) {
+  if (message.empty()) throw Broken("a refusal without a word");
+  if (message.size() > kMaxMessage) {
+    throw Broken("a refusal of " + std::to_string(message.size()) + " characters");
+  }
+  const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  if (std::any_of(message.begin(), message.end(), control)) {
+    throw Broken("a control character in the refusal: " + message);
+  }
+}
+
+void requireWhole(const Simulation& simulation, std::size_t particles) {
+  std::vector<ParticleSample> samples;
+  simulation.sample(samples);
+  if (samples.size() != particles || simulation.report().particles != particles) {
+    throw Broken(std::to_string(samples.size()) + " particles of " + std::to_string(particles));
+  }
+  const auto bad = std::find_if_not(samples.begin(), samples.end(), finite);
+  if (bad != samples.end()) throw Broken("particle " + std::to_string(bad->id) + " is not finite");
+}
+
+bool isSmall(const Scene& scene) {
+  const std::size_t colliders =
+      scene.containers.size() + scene.planes.size() + scene.spheres.size();
+  return particleCount(scene) <= kMaxParticles && colliders <= kMaxColliders &&
+         scene.substeps() * std::max(1, scene.solver.iterations) <= kMaxSweeps;
+}
+
+void runTwoFrames(Simulation& simulation) {
+  const auto particles = static_cast<std::size_t>(particleCount(simulation.scene()));
+  requireWhole(simulation, particles);
+  for (int frame = 0; frame < 2; ++frame) {
+    simulation.advanceFrame();
+    requireWhole(simulation, particles);
+  }
+}
+
+void runIfSmall(Scene scene) {
+  if (!isSmall(scene)) return;
+  // The tables of walls in the density cost a second with sanitizers; heat makes them in any case.
+  scene.fluid.wall_density = false;
+  if (scene.heat.enabled) scene.containers.clear();
+  runTwoFrames(*makeSimulation(scene, Precision::kFloat, 1));
+}
+
+}  // namespace ice_ice_baby::fuzz
