@@ -11,8 +11,9 @@ namespace ice_ice_baby {
 struct RunOutputs {
   std::string frames;  ///< folder of pictures
   double frames_hz = 30.0;
-  std::string series;  ///< CSV over time
-  std::string record;  ///< .npy of every position
+  double sample_hz = 0.0;  ///< of series, record and faces of the error; 0: every frame
+  std::string series;      ///< CSV over time
+  std::string record;      ///< .npy of every position
 };
 
 /// Runs the frames of `duration_s`, or until a value was not finite.

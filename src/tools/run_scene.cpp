@@ -58,12 +58,15 @@ void describeOptions(CLI::App& app, Options& o) {
       ->allow_extra_args(false);
   app.add_option("--report", o.report, "write a JSON report to this file");
   app.add_option("--series", o.outputs.series,
-                 "write the run over time to this file: CSV, a row per frame");
+                 "write the run over time to this file: CSV, a row per frame or sample");
   app.add_option("--particles", o.particles,
                  "write the particles of the last frame to this file: CSV, a row per particle");
   app.add_option(
       "--record", o.outputs.record,
       "write every position of every frame to this file: .npy, float32 (frame, id, xyz)");
+  app.add_option("--sample-hz", o.outputs.sample_hz,
+                 "samples per simulated second of --series, --record and the faces of the error; "
+                 "without it every frame");
   app.add_option("--frames", o.outputs.frames,
                  "write PNG pictures into this folder, in place of those of an earlier run");
   app.add_option("--frames-hz", o.outputs.frames_hz, "pictures per simulated second (30)");
@@ -112,6 +115,7 @@ int runScene(const Options& options) {
   const double duration = options.duration_s.value_or(scene.duration_s);
   requireInRange("--duration", duration, 0.0, 1e6);
   requireInRange("--frames-hz", options.outputs.frames_hz, 1e-3, 1e4);
+  requireInRange("--sample-hz", options.outputs.sample_hz, 0.0, 1e4);
   if (!options.report.empty()) requireWritable(options.report, "report");
   if (!options.particles.empty()) requireWritable(options.particles, "particles");
   const auto simulation = makeSimulation(scene, parsePrecision(options.precision), options.threads);
