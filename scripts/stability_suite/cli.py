@@ -3,6 +3,7 @@
 import argparse
 import concurrent.futures
 import dataclasses
+import itertools
 import pathlib
 import sys
 import threading
@@ -16,7 +17,6 @@ from .map_list import MAPS
 from .ranges import ranges
 from .results import Results
 from .runs import Runner
-from .verdict import reason
 
 DESCRIPTION = """Drives water, ice and steam to extremes and holds what comes of it to bounds.
 
@@ -28,8 +28,8 @@ Examples:
   scripts/stability --case gap_below_a_particle --case GravityThatFlipsEveryFrame
   scripts/stability --map viscosity          # one map, and its picture in the folder --out
   scripts/stability --boundaries             # just inside and just outside the range of every key
-  scripts/stability --long                   # a million steps of a pool and of an iceberg: hours
-  scripts/stability --long --steps 10000     # the same in minutes
+  scripts/stability --long                   # a million steps of a pool and of an iceberg: half an hour on two cores
+  scripts/stability --long --steps 10000     # the same in half a minute
   scripts/stability --list
   scripts/stability --document               # all but the long runs, and doc/stability.md of all that --out holds
 
@@ -80,15 +80,21 @@ class Suite:
             bar.end(one.name, line.wall_s)
             return line
 
-        lines = list(self.pool.map(measure, known))
-        if others:
-            program = commands.find_program(self.program, self.args.commands)
-            lines += commands.measure(program, self.out, others)
-        bar.close()
-        for line in lines:
-            print(document.told(line))
+        lines = []
+        for line in itertools.chain(self.pool.map(measure, known), self.commands(others, bar)):
+            bar.close()
+            print(document.told(line), flush=True)
+            lines.append(line)
         self.results.put("cases", {line.name: dataclasses.asdict(line) for line in lines})
         return all(line.passed() for line in lines)
+
+    def commands(self, names, bar):
+        if not names:
+            return
+        program = commands.find_program(self.program, self.args.commands)
+        bar.begin("commands")
+        yield from commands.measure(program, self.out, names)
+        bar.end("commands", 0.0)
 
     def run_boundaries(self, _):
         bar = Bar(["boundaries"] * len(boundaries.probes(self.ranges)))
@@ -106,17 +112,15 @@ class Suite:
         chosen = [MAPS[name] for name in names]
         bar = Bar([one.name for one in chosen for _ in maps.places(one, self.ranges)])
         runner = self.runner()
-        found = {one.name: maps.measure(one, self.ranges, runner, self.pool, bar) for one in chosen}
-        bar.close()
-        wrong = [point for points in found.values() for point in points if not point.as_expected()]
-        for name, points in found.items():
-            print(f"{name}: " + ", ".join(f"{count} {word}" for word, count in sorted(maps.counts(points).items())))
-        for point in wrong:
-            print(f"FAIL  {point.verdict}: {reason(point.outcome)}\n      {point.outcome.reproduce()}")
+        found = {}
+        for one in chosen:
+            points = found[one.name] = maps.measure(one, self.ranges, runner, self.pool, bar)
+            bar.close()
+            print(document.told_map(one, points), flush=True)
         self.results.put("maps", {one.name: document.of_map(one, found[one.name], self.ranges) for one in chosen})
         pictures.draw_maps(chosen, found, self.ranges, self.out / "stability_maps.png")
         print(f"wrote {self.out / 'stability_maps.png'}")
-        return not wrong
+        return all(point.as_expected() for points in found.values() for point in points)
 
     def run_long(self, steps):
         bar = Bar([one.name for one in long_runs.LONG])

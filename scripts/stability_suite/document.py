@@ -42,6 +42,13 @@ def told_long(line):
     return "\n".join([f"{line.name}: {line.steps} steps, {number(line.simulated_s)} s", *rows]) + lived
 
 
+def told_map(one, points):
+    counts = ", ".join(f"{count} {word}" for word, count in sorted(maps.counts(points).items()))
+    wrong = [f"  FAIL  {p.verdict}: {reason(p.outcome)}\n        {p.outcome.reproduce()}" for p in points
+             if not p.as_expected()]
+    return "\n".join([f"{one.name}: {counts}", *wrong])
+
+
 def of_probes(probes):
     """Counts, and what another rule refuses within a range."""
     within = [probe for probe in probes if probe.inside and probe.verdict == REFUSED]

@@ -58,6 +58,8 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
   updateTemperature(0.0);
   arena_.execute([&] {
     findNeighbours();
+    // What fell as one would stay one: lists live as long as all particles move alike.
+    if (neighbours_.coincident()) particles_.position = particles_.predicted;
     joinSheets();
     if (heat_) beginPhases();
     density_->computeLambda(particles_, neighbours_);
