@@ -275,7 +275,10 @@ void Simulator<Real>::updateVelocityAndPosition(Real dt) {
 
 template <class Real>
 void Simulator<Real>::applyViscosity(double dt_s) {
-  viscosity_->apply(particles_, neighbours_, dt_s, density_->rows());
+  const std::vector<Real>& density = density_->density();
+  const auto densest = std::max_element(density.begin(), density.end());
+  viscosity_->apply(particles_, neighbours_, dt_s, density_->rows(),
+                    densest != density.end() ? double(*densest) : 1.0);
   if (bodies_) bodies_->takeVelocities(particles_);
 }
 
