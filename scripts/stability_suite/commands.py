@@ -46,10 +46,15 @@ def listed(program):
     return [row.strip() for row in text.splitlines() if row.startswith("  ")]
 
 
+def text_of(escaped):
+    """googletest escapes every byte of UTF-8 by itself."""
+    return escaped.encode("latin-1").decode("utf-8")
+
+
 def line(test):
     failures = test.get("failures", [])
     check = at_most("expectations that do not hold", len(failures), 0)
-    measured = Measured(test["name"], int(test["number"]), test["title"], test["expected"], [check])
+    measured = Measured(test["name"], int(test["number"]), text_of(test["title"]), text_of(test["expected"]), [check])
     for name in WHOLE:
         setattr(measured, name, int(float(test.get(name, 0))))
     for name in REAL:

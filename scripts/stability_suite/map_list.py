@@ -41,8 +41,8 @@ def step_sets(step_s):
 
 def step_map():
     def row(g):
-        sets = lambda step: (f"gravity_m_s2=[0, 0, {-g}]", *step_sets(step))
-        return Row(f"{g:g}", "splash", sets, lambda step: min(10 * LONGEST_S, MOST_SUBSTEPS * step), ends=(1e-7, 1.0))
+        return Row(f"{g:g}", "splash", lambda step: (f"gravity_m_s2=[0, 0, {-g}]", *step_sets(step)),
+                   lambda step: min(10 * LONGEST_S, MOST_SUBSTEPS * step), ends=(1e-7, 1.0))
 
     rows = [row(g) for g in (0.1, 9.81, 100, 1000)]
     return Map("step", "Step", "substep, s", decades(1e-8, 1e1), "gravity, m/s²", rows)

@@ -24,8 +24,8 @@ def decades(first, last):
 
 @dataclasses.dataclass
 class Row:
-    """Of a map. key: what is swept, whose range says what is refused; sets and seconds take the swept value; ends:
-    from where to where it may run, where no key says so; unit: what the swept value is multiplied by in the key."""
+    """Of a map. sets: the overrides of a swept value; seconds: how long it runs; key: whose range says what is
+    refused; ends: from where to where it may run, where no one key says so."""
 
     name: str
     scene: str
