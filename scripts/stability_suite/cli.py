@@ -12,7 +12,8 @@ from error_runtime.machine import ROOT, about, find_run_scene
 from error_runtime.progress import Progress
 from error_runtime.refusal import Refusal
 
-from . import boundaries, cases, cases_ice, cases_water, commands, document, long_runs, maps, pictures  # noqa: F401
+from . import boundaries, cases, commands, document, long_runs, maps, pictures
+from . import cases_ice, cases_water  # noqa: F401  (they fill cases.CASES)
 from .map_list import MAPS
 from .ranges import ranges
 from .results import Results
@@ -34,9 +35,14 @@ Examples:
   scripts/stability --document               # all but the long runs, and doc/stability.md of all that --out holds
 
 What is finished is kept in --out and not run again by the same program: a suite that was stopped goes on.
-Exit code: 0 all as expected, 1 bad input, 2 something is not as expected.
+Exit code: 0 all as expected, 1 bad input, 2 something is not as expected, 130 stopped before the end.
 """
 LONGEST_CASE_S, LONGEST_RUN_S = 900.0, 7 * 24 * 3600.0
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        self.exit(1, f"scripts/stability: {message}; scripts/stability --help tells what there is\n")
 
 
 class Bar(Progress):
@@ -81,14 +87,14 @@ class Suite:
             return line
 
         lines = []
-        for line in itertools.chain(self.pool.map(measure, known), self.commands(others, bar)):
+        for line in itertools.chain(self.pool.map(measure, known), self.run_commands(others, bar)):
             bar.close()
             print(document.told(line), flush=True)
             lines.append(line)
         self.results.put("cases", {line.name: dataclasses.asdict(line) for line in lines})
         return all(line.passed() for line in lines)
 
-    def commands(self, names, bar):
+    def run_commands(self, names, bar):
         if not names:
             return
         program = commands.find_program(self.program, self.args.commands)
@@ -118,7 +124,7 @@ class Suite:
             bar.close()
             print(document.told_map(one, points), flush=True)
         self.results.put("maps", {one.name: document.of_map(one, found[one.name], self.ranges) for one in chosen})
-        pictures.draw_maps(chosen, found, self.ranges, self.out / "stability_maps.png")
+        pictures.draw_maps(list(self.results.get("maps")[0].values()), self.out / "stability_maps.png")
         print(f"wrote {self.out / 'stability_maps.png'}")
         return all(point.as_expected() for points in found.values() for point in points)
 
@@ -146,15 +152,22 @@ def known_cases(args):
     return [*cases.CASES, *commands.listed(commands.find_program(find_run_scene(args.run_scene), args.commands))]
 
 
+def chosen_cases(args):
+    """Of scenes alone where that is all that is asked for: they need no program of commands."""
+    if set(args.case) <= set(cases.CASES):
+        return args.case
+    every = known_cases(args)
+    for name in args.case:
+        if name not in every:
+            raise Refusal(f"no case {name}; there are: {', '.join(every)}")
+    return args.case
+
+
 def wanted(args):
     """Parts to run and what of each; without a choice all but the long runs."""
     parts = {}
     if args.case:
-        every = known_cases(args)
-        for name in args.case:
-            if name not in every:
-                raise Refusal(f"no case {name}; there are: {', '.join(every)}")
-        parts["cases"] = args.case
+        parts["cases"] = chosen_cases(args)
     for name in args.map or ():
         if name not in MAPS:
             raise Refusal(f"no map {name}; there are: {', '.join(MAPS)}")
@@ -174,7 +187,7 @@ def listed():
 
 
 def parse():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         description=DESCRIPTION, formatter_class=argparse.RawDescriptionHelpFormatter, prog="scripts/stability"
     )
     parser.add_argument("--case", action="append", metavar="NAME", help="only this case; may stand several times")
@@ -190,7 +203,7 @@ def parse():
     parser.add_argument("--list", action="store_true", help="print the cases, maps and long runs")
     args = parser.parse_args()
     if args.jobs < 1 or args.steps < 1:
-        parser.exit(1, "scripts/stability: --jobs and --steps must be 1 or more\n")
+        parser.error("--jobs and --steps must be 1 or more")
     return args
 
 
@@ -207,4 +220,7 @@ def main():
     except Refusal as refusal:
         print(f"scripts/stability: {refusal}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print(f"\nscripts/stability: stopped; the same command goes on in {args.out}", file=sys.stderr)
+        return 130
     return 0 if all(good) else 2

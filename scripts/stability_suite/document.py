@@ -71,6 +71,7 @@ def of_map(one, points, ranges):
             "stable in": stretches(own),
             "degraded by": worst(own),
             "range": list(row.range(ranges)),
+            "points": [[point.value, point.verdict] for point in own],
         }
     wrong = [[reason(p.outcome), p.outcome.reproduce()] for p in points if not p.as_expected()]
     return {"title": one.title, "what": one.what, "across": one.across, "rows": rows, "not as expected": wrong}

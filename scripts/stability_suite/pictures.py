@@ -19,28 +19,28 @@ def plotting():
     return pyplot
 
 
-def panel(place, one, points, ranges):
-    names = [row.name for row in one.rows]
-    for word, look in LOOKS.items():
-        chosen = [p for p in points if p.verdict == word]
-        place.scatter([p.value for p in chosen], [names.index(p.row) for p in chosen], label=word, **look)
-    for k, row in enumerate(one.rows):
-        for end in row.range(ranges):
+def panel(place, one):
+    """one: of stability.json, as document.of_map made it."""
+    for k, row in enumerate(one["rows"].values()):
+        for word, look in LOOKS.items():
+            chosen = [value for value, verdict in row["points"] if verdict == word]
+            place.scatter(chosen, [k] * len(chosen), label=word if k == 0 else None, **look)
+        for end in row["range"]:
             if end > 0:
                 place.plot([end, end], [k - 0.45, k + 0.45], color="black", lw=0.8)
-    place.set(xscale="log", title=one.title, xlabel=one.what, ylabel=one.across, ylim=(-0.6, len(names) - 0.4))
-    place.set_yticks(range(len(names)), names, fontsize=7)
+    count = len(one["rows"])
+    place.set(xscale="log", title=one["title"], xlabel=one["what"], ylabel=one["across"], ylim=(-0.6, count - 0.4))
+    place.set_yticks(range(count), one["rows"], fontsize=7)
 
 
-def draw_maps(maps, results, ranges, path):
-    """results: points by name of the map."""
+def draw_maps(maps, path):
     pyplot = plotting()
     rows = (len(maps) + 1) // 2
     drawing, places = pyplot.subplots(rows, 2, figsize=(11, 1.9 * rows), constrained_layout=True, squeeze=False)
     for place in places.flat[len(maps):]:
         place.axis("off")
     for place, one in zip(places.flat, maps):
-        panel(place, one, results[one.name], ranges)
+        panel(place, one)
     drawing.suptitle(" ")  # room for the legend
     drawing.legend(*places.flat[0].get_legend_handles_labels(), loc="upper center", ncols=4, frameon=False)
     drawing.savefig(path, dpi=100)

@@ -120,6 +120,10 @@ class Program(unittest.TestCase):
             self.assertIn(clue, done.stderr)
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
 
+    def test_options_that_do_not_exist_are_bad_input(self):
+        for words in (["--nonsense"], ["--jobs", "0"], ["--steps", "many"]):
+            self.assertEqual(self.stability(*words).returncode, 1, words)
+
     def test_list_and_help(self):
         self.assertIn("gap_below_a_particle", self.stability("--list").stdout)
         self.assertIn("Exit code", self.stability("--help").stdout)
