@@ -173,7 +173,7 @@ TEST_F(Commands, EverythingAtOnce) {
     WatchedRun run(figures_, stabilityScene(scene));
     const bool heat = run->scene().heat.enabled;
     const std::string name = run->scene().containers[0].name;
-    for (int k = 0; k < 120; ++k) {
+    for (int k = 0; k < 60; ++k) {
       const double which = random.uniform(0, 4);
       if (which < 1) run->setGravity(random.direction() * std::pow(10.0, random.uniform(-3, 4)));
       if (which >= 1 && which < 2) {
