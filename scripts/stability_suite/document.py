@@ -13,11 +13,11 @@ DOCUMENT = ROOT / "doc" / "stability.md"
 PICTURES = ("stability_maps.png", "stability_long.png")
 
 
-def number(value, scale=1.0):
-    """Three digits; nothing for what was not measured."""
+def number(value, scale=1.0, digits=3):
+    """Nothing for what was not measured."""
     if value is None or math.isnan(value):
         return ""
-    return f"{scale * value:.3g}"
+    return f"{scale * value:.{digits}g}"
 
 
 def check_text(check):
@@ -152,8 +152,9 @@ def long_table(lines):
     rows = heading("run", "what", "first tenth", "last tenth")
     for line in lines.values():
         title = f"{line['title']}, {line['steps']:,} steps, {number(line['simulated_s'])} s"
-        rows += [f"| {title} | {what} | {number(first)} | {number(last)} |" for what, first, last in line["rows"]]
-    return "\n".join(rows)
+        rows += [f"| {title} | {what} | {number(first, digits=4)} | {number(last, digits=4)} |"
+                 for what, first, last in line["rows"]]
+    return "\n".join([*rows, "", "![The long runs over time](images/stability_long.png)"])
 
 
 TABLES = {

@@ -49,7 +49,7 @@ def draw_maps(maps, path):
 
 def draw_long(runs, path):
     """runs: of each long run its description and its outcome."""
-    from .long_runs import faces
+    from .long_runs import SETTLED, faces
 
     pyplot = plotting()
     told = [(one, *faces(one, outcome)) for one, outcome in runs if outcome.survived()]
@@ -62,9 +62,11 @@ def draw_long(runs, path):
         for place in places[len(over_time):, column]:
             place.axis("off")
         for place, (name, values) in zip(places[:, column], over_time.items()):
-            place.plot(time / 3600, values, lw=0.6)
+            begin = int(SETTLED * len(time))
+            place.plot(time[begin:] / 3600, values[begin:], lw=0.6)
             place.set_title(name, fontsize=8)
         places[0, column].set_title(f"{one.title}: {next(iter(over_time))}", fontsize=8)
         places[len(over_time) - 1, column].set_xlabel("simulated hours")
+        places[len(over_time) - 1, column].tick_params(labelbottom=True)
     drawing.savefig(path, dpi=100)
     pyplot.close(drawing)

@@ -20,6 +20,11 @@ def limited(report):
     return report["speed_limited"]
 
 
+def energy_rise(outcome):
+    """Without work; steam rises by heat, which is work."""
+    return math.nan if outcome.report.get("most_steam", 0) > 0 else outcome.face("energy_rise")
+
+
 def verdict(outcome):
     if outcome.status == "refused":
         return REFUSED
@@ -28,7 +33,7 @@ def verdict(outcome):
     report = outcome.report
     if limited(report) > 0 or worse(report["density_error_mean"], MOST_ERROR):
         return DEGRADED
-    return DEGRADED if worse(outcome.face("energy_rise"), MOST_RISE) else STABLE
+    return DEGRADED if worse(energy_rise(outcome), MOST_RISE) else STABLE
 
 
 def reason(outcome):
@@ -44,6 +49,6 @@ def reason(outcome):
         words.append(f"slowed {limited(report)} times")
     if worse(report["density_error_mean"], MOST_ERROR):
         words.append(f"density error {100 * report['density_error_mean']:.3g} %")
-    if worse(outcome.face("energy_rise"), MOST_RISE):
-        words.append(f"energy risen by {100 * outcome.face('energy_rise'):.3g} %")
+    if worse(energy_rise(outcome), MOST_RISE):
+        words.append(f"energy risen by {100 * energy_rise(outcome):.3g} %")
     return ", ".join(words)
