@@ -22,13 +22,15 @@ class Viscosity {
   /// stiffens before it freezes and keeps its angular momentum. Two particles of ice have none, nor
   /// has steam.
   /// @param scratch for the positions: any rows whose values nobody needs any more
+  /// @param densest largest density over that at rest: c is at most its inverse, for what all
+  /// neighbours together overshoot grows from substep to substep
   void apply(Particles<Real>& particles, const Neighbours<Real>& neighbours, double dt_s,
-             PackedRows<Real>& scratch);
+             PackedRows<Real>& scratch, double densest = 1.0);
 
   std::size_t bytes() const { return velocities_.bytes() + grip_.capacity() * sizeof(Real); }
 
  private:
-  void packMixture(const Particles<Real>& particles, Real share);
+  void packMixture(const Particles<Real>& particles, Real share, Real most);
 
   CubicSpline<Real> kernel_;
   Real volume_;

@@ -59,6 +59,8 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
   updateTemperature(0.0);
   arena_.execute([&] {
     findNeighbours();
+    // What fell as one would stay one: lists live as long as all particles move alike.
+    if (neighbours_.coincident()) particles_.position = particles_.predicted;
     joinSheets();
     if (heat_) beginPhases();
     if (!colliders_.empty()) expel();
@@ -279,7 +281,10 @@ void Simulator<Real>::updateVelocityAndPosition(Real dt) {
 
 template <class Real>
 void Simulator<Real>::applyViscosity(double dt_s) {
-  viscosity_->apply(particles_, neighbours_, dt_s, density_->rows());
+  const std::vector<Real>& density = density_->density();
+  const auto densest = std::max_element(density.begin(), density.end());
+  viscosity_->apply(particles_, neighbours_, dt_s, density_->rows(),
+                    densest != density.end() ? double(*densest) : 1.0);
   if (bodies_) bodies_->takeVelocities(particles_);
 }
 

@@ -18,12 +18,13 @@ Viscosity<Real>::Viscosity(const Scene& scene, double volume_m3, const Phases<Re
 
 template <class Real>
 void Viscosity<Real>::apply(Particles<Real>& particles, const Neighbours<Real>& neighbours,
-                            double dt_s, PackedRows<Real>& scratch) {
+                            double dt_s, PackedRows<Real>& scratch, double densest) {
   const std::size_t n = particles.size();
-  const Real share = static_cast<Real>(1.0 - std::exp(-rate_1_s_ * dt_s));
+  const double most = 1.0 / std::max(densest, 1.0);
+  const Real share = static_cast<Real>(std::min(1.0 - std::exp(-rate_1_s_ * dt_s), most));
   scratch.pack(particles.predicted);
   if (phases_) {
-    packMixture(particles, share);
+    packMixture(particles, share, static_cast<Real>(most));
   } else {
     velocities_.pack(particles.velocity);
   }
@@ -37,9 +38,9 @@ void Viscosity<Real>::apply(Particles<Real>& particles, const Neighbours<Real>& 
 }
 
 template <class Real>
-void Viscosity<Real>::packMixture(const Particles<Real>& particles, Real share) {
+void Viscosity<Real>::packMixture(const Particles<Real>& particles, Real share, Real most) {
   constexpr Real kSlushShare(0.5);  // all neighbours together must not overshoot
-  const Real rise = std::max(Real(0), kSlushShare - share);
+  const Real rise = std::max(Real(0), std::min(kSlushShare, most) - share);
   grip_.resize(particles.size());
   parallelFor(particles.size(), [&](std::size_t i) {
     const bool rigid = phases_->ice(i) && !phases_->flows()[i];

@@ -54,17 +54,17 @@ class Observers {
   Observers(Simulation& simulation, const RunOutputs& outputs) : simulation_(simulation) {
     if (!outputs.series.empty()) series_.emplace(outputs.series);
     if (!outputs.record.empty()) record_.emplace(outputs.record, simulation.report().particles);
-    const FrameView start = view();
+    const FrameView start = view(0.0);
     if (simulation.report().frame == 0) watches_ = watchesFor(start);
     write(start);
   }
 
-  /// @return the density error of the frame
-  Simulation::DensityError look() {
-    const FrameView frame = view();
+  void look(RunRecord& record) {
+    const FrameView frame = view(record.wall_time_s);
     for (const auto& watch : watches_) watch->add(frame);
     write(frame);
-    return frame.error;
+    record.addSample(frame.report(), frame.error);
+    record.escaped = std::max(record.escaped, simulation_.countEscaped());
   }
 
   std::vector<ErrorFace> faces() const {
@@ -74,9 +74,14 @@ class Observers {
   }
 
  private:
-  FrameView view() {
+  FrameView view(double wall_s) {
+    const std::uint64_t frame = simulation_.report().frame;
+    const double frames = double(std::max<std::uint64_t>(frame - seen_frame_, 1));
+    const double frame_wall_s = (wall_s - seen_wall_s_) / frames;
+    seen_frame_ = frame;
+    seen_wall_s_ = wall_s;
     simulation_.sample(particles_);
-    return {simulation_, particles_, simulation_.measureDensityError()};
+    return {simulation_, particles_, simulation_.measureDensityError(), frame_wall_s};
   }
   void write(const FrameView& frame) {
     if (series_) series_->add(frame);
@@ -85,6 +90,8 @@ class Observers {
 
   Simulation& simulation_;
   std::vector<ParticleSample> particles_;
+  std::uint64_t seen_frame_ = 0;
+  double seen_wall_s_ = 0.0;
   std::optional<SeriesWriter> series_;
   std::optional<TrajectoryRecorder> record_;
   std::vector<std::unique_ptr<ErrorWatch>> watches_;
@@ -108,15 +115,20 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double en
   std::optional<StopSignal> stop;
   if (!outputs.save.empty()) stop.emplace();
   Autosave autosave(outputs.save, outputs.autosave_s, simulation.report().time_s);
-  double next_picture = 0.0;
+  const double sample_every =
+      outputs.sample_hz > 0.0 ? std::max(1.0, scene.solver.frame_rate_hz / outputs.sample_hz) : 1.0;
+  double next_picture = 0.0, next_sample = sample_every;
   for (std::size_t frame = 0; frame < frames; ++frame) {
     if (pictures && double(frame) >= next_picture) {
       pictures->write(simulation);
       next_picture += every;
     }
     const StepReport& report = simulation.advanceFrame();
-    record.addFrame(report, observers.look());
-    record.steps += std::uint64_t(report.substeps);
+    record.addFrame(report);
+    if (double(frame + 1) >= next_sample - 1e-9 || frame + 1 == frames || report.non_finite > 0) {
+      observers.look(record);
+      next_sample += sample_every;
+    }
     residual.add(report.rms_speed_m_s);
     bar.show(frame + 1, note(report, record));
     if (report.non_finite > 0) break;
@@ -125,7 +137,6 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double en
     if (record.stopped) break;
   }
   record.faces = observers.faces();
-  record.escaped = simulation.countEscaped();
   record.residual_speed_m_s = residual.value();
   return record;
 }

@@ -11,6 +11,7 @@ struct FrameView {
   const Simulation& simulation;
   const std::vector<ParticleSample>& particles;  ///< all of them, by id
   Simulation::DensityError error;
+  double frame_wall_s;  ///< mean over the frames since the view before
 
   const StepReport& report() const { return simulation.report(); }
   const Scene& scene() const { return simulation.scene(); }

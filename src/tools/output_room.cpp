@@ -18,15 +18,16 @@ void requireRoom(const RunOutputs& outputs, const Scene& scene, double duration_
                        numberText(kMaxPictures) + "; lower --frames-hz or --duration");
   }
   if (outputs.record.empty()) return;
-  const double frames = std::ceil(duration_s * rate_hz) + 1;
-  const double bytes = frames * double(particleCount(scene)) * 3 * sizeof(float);
+  const double sample_hz = outputs.sample_hz > 0.0 ? std::min(outputs.sample_hz, rate_hz) : rate_hz;
+  const double samples = std::ceil(duration_s * sample_hz) + 1;
+  const double bytes = samples * double(particleCount(scene)) * 3 * sizeof(float);
   std::error_code error;
   const fs::space_info space = fs::space(fs::absolute(outputs.record).parent_path(), error);
   if (error || bytes <= double(space.available)) return;  // the recorder names a bad folder
   throw InvalidInput("--record would write " + numberText(std::ceil(bytes / 1e6)) + " MB to " +
                      outputs.record + ", which has " +
                      numberText(std::floor(double(space.available) / 1e6)) +
-                     " MB free; lower --duration");
+                     " MB free; lower --sample-hz or --duration");
 }
 
 }  // namespace ice_ice_baby

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "ice_ice_baby/errors.h"
+#include "resident_memory.h"
 
 namespace ice_ice_baby {
 
@@ -52,14 +53,19 @@ nlohmann::ordered_json settingsOf(Scene scene) {
 
 }  // namespace
 
-void RunRecord::addFrame(const StepReport& report, const Simulation::DensityError& error) {
+void RunRecord::addFrame(const StepReport& report) {
+  steps += std::uint64_t(report.substeps);
   wall_time_s += report.frame_wall_s;
   speed_limited += report.speed_limited;
   correction_limited += report.correction_limited;
   peak_limited = std::max(peak_limited, std::size_t(report.speed_limited));
+  fastest_m_s = std::max(fastest_m_s, report.max_speed_m_s);
   most_ice = std::max(most_ice, report.strictness);
   most_bodies = std::max(most_bodies, report.bodies);
   most_steam = std::max(most_steam, report.steam_particles);
+}
+
+void RunRecord::addSample(const StepReport& report, const Simulation::DensityError& error) {
   ++samples;
   const double weight = 1.0 / double(samples);
   density_error_mean += weight * (error.mean - density_error_mean);
@@ -108,6 +114,7 @@ void writeReport(const std::string& path, const Simulation& simulation, const Ru
   json["potential_energy_j"] = report.potential_energy_j;
   json["elastic_energy_j"] = report.elastic_energy_j;
   json["max_speed_m_s"] = report.max_speed_m_s;
+  json["fastest_m_s"] = record.fastest_m_s;
   json["rms_speed_m_s"] = report.rms_speed_m_s;
   json["residual_speed_m_s"] = record.residual_speed_m_s;
   json["temperature_c"] = report.temperature_c;
@@ -122,6 +129,7 @@ void writeReport(const std::string& path, const Simulation& simulation, const Ru
   json["escaped"] = record.escaped;
   json["non_finite"] = report.non_finite;
   json["unstable"] = instability(record, report);
+  json["peak_resident_bytes"] = peakResidentBytes();
   json["state_hash"] = hexText(simulation.stateHash());
   json["threads"] = record.threads;
   json["precision"] = record.precision;

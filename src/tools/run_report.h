@@ -18,19 +18,21 @@ struct RunRecord {
   std::uint64_t speed_limited = 0;
   std::uint64_t correction_limited = 0;
   std::size_t peak_limited = 0;   ///< most particles slowed by the speed limit in one frame
+  double fastest_m_s = 0.0;       ///< of any particle at the end of any frame
   double density_error_mean = 0;  ///< mean over the samples of the mean, cubic-spline yardstick
   double density_error_max = 0;   ///< mean over the samples of the maximum
   double own_error_mean = 0;      ///< the same mean in the solver's own kernel
   double residual_speed_m_s = 0;  ///< root mean square over the last half second, sleep aside
   std::size_t samples = 0;
-  std::size_t escaped = 0;
+  std::size_t escaped = 0;      ///< the most in any sample
   double most_ice = 0.0;        ///< share by mass; from here on the most in any frame
   std::size_t most_bodies = 0;  ///< of rigid ice
   std::size_t most_steam = 0;   ///< particles
   std::vector<ErrorFace> faces;
   bool stopped = false;  ///< by somebody, before its end
 
-  void addFrame(const StepReport& report, const Simulation::DensityError& error);
+  void addFrame(const StepReport& report);
+  void addSample(const StepReport& report, const Simulation::DensityError& error);
   /// Seconds of simulated time per second of wall time, at simulated time `time_s`.
   double realTimeFactor(double time_s) const;
 };

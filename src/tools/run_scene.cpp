@@ -65,12 +65,15 @@ void describeOptions(CLI::App& app, Options& o) {
       ->allow_extra_args(false);
   app.add_option("--report", o.report, "write a JSON report to this file");
   app.add_option("--series", o.outputs.series,
-                 "write the run over time to this file: CSV, a row per frame");
+                 "write the run over time to this file: CSV, a row per frame or sample");
   app.add_option("--particles", o.particles,
                  "write the particles of the last frame to this file: CSV, a row per particle");
   app.add_option(
       "--record", o.outputs.record,
       "write every position of every frame to this file: .npy, float32 (frame, id, xyz)");
+  app.add_option("--sample-hz", o.outputs.sample_hz,
+                 "samples per simulated second of --series, --record and the faces of the error; "
+                 "without it every frame");
   app.add_option("--frames", o.outputs.frames,
                  "write PNG pictures into this folder, in place of those of an earlier run");
   app.add_option("--frames-hz", o.outputs.frames_hz, "pictures per simulated second (30)");
@@ -149,6 +152,7 @@ void requireOutputs(const Options& options, const Scene& scene, double end_s) {
   const RunOutputs& outputs = options.outputs;
   requireInRange("--duration", end_s, 0.0, 1e6);
   requireInRange("--frames-hz", outputs.frames_hz, 1e-3, 1e4);
+  requireInRange("--sample-hz", outputs.sample_hz, 0.0, 1e4);
   requireInRange("--autosave", outputs.autosave_s, 0.0, 1e6);
   if (outputs.autosave_s > 0.0 && outputs.save.empty()) {
     throw InvalidInput("--autosave needs --save FILE, which says where to");

@@ -4,6 +4,7 @@
 
 #include "cloud_moments.h"
 #include "ice_ice_baby/errors.h"
+#include "resident_memory.h"
 
 namespace ice_ice_baby {
 
@@ -17,7 +18,7 @@ constexpr char kSeriesColumns[] =
     "momentum_z_kg_m_s,"
     "angular_momentum_x_kg_m2_s,angular_momentum_y_kg_m2_s,angular_momentum_z_kg_m2_s,"
     "temperature_c,strictness,springs,mean_celsius,enthalpy_j,heat_speedup,bodies,bodies_asleep,"
-    "ice_particles,steam_particles\n";
+    "ice_particles,steam_particles,resident_bytes\n";
 constexpr char kParticleColumns[] =
     "id,x,y,z,vx,vy,vz,density,pressure_pa,temperature_c,ice_fraction\n";
 
@@ -49,7 +50,7 @@ void SeriesWriter::add(const FrameView& frame) {
   const CloudMoments moments = momentsOf(frame.particles, massOfParticle_kg(frame.scene()));
   std::string row;
   for (const double value :
-       {report.time_s, report.frame_wall_s, frame.error.mean, frame.error.max,
+       {report.time_s, frame.frame_wall_s, frame.error.mean, frame.error.max,
         report.density_error_mean, report.density_error_max, report.kinetic_energy_j,
         report.potential_energy_j, report.elastic_energy_j,
         report.kinetic_energy_j + report.potential_energy_j + report.elastic_energy_j,
@@ -63,7 +64,7 @@ void SeriesWriter::add(const FrameView& frame) {
   for (const double value :
        {report.temperature_c, report.strictness, double(report.springs), report.mean_celsius,
         report.enthalpy_j, report.heat_speedup, double(report.bodies), double(report.bodies_asleep),
-        double(report.ice_particles), double(report.steam_particles)}) {
+        double(report.ice_particles), double(report.steam_particles), double(residentBytes())}) {
     append(row, value);
   }
   file_ << row << "\n" << std::flush;  // a run that is stopped leaves every frame it finished

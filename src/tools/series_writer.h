@@ -1,4 +1,4 @@
-// A run as a table over time: one CSV row per frame, of which the first is the start.
+// A run as a table over time: one CSV row per sample, of which the first is the start.
 #pragma once
 
 #include <fstream>

@@ -75,6 +75,30 @@ TEST(ViscosityConservation, KeepsMomentumAndTakesEnergy) {
   EXPECT_LT(energy(), before);
 }
 
+TEST(ViscosityConservation, TakesEnergyFromWaterThatIsFarTooDense) {
+  const auto points = test::randomPoints(800, Vec3d::Zero(), Vec3d::Constant(0.2), 73);
+  auto cloud = movingCloud<double>(points);
+  const Scene scene = viscousScene(1e4);
+  const CubicSpline<double> kernel(scene.supportRadius_m());
+  double densest = 0;
+  for (const Vec3d& x : points) {
+    double density = 0;
+    for (const Vec3d& y : points) density += volumeOf(scene) * kernel.w((x - y).norm());
+    densest = std::max(densest, density);
+  }
+  ASSERT_GT(densest, 5.0);
+  Viscosity<double> viscosity(scene, volumeOf(scene));
+  PackedRows<double> rows;
+  double before = std::numeric_limits<double>::max();
+  for (int k = 0; k < 20; ++k) {
+    viscosity.apply(cloud.particles, cloud.neighbours, 1.0, rows, densest);
+    double energy = 0;
+    for (std::size_t i = 0; i < 800; ++i) energy += cloud.particles.velocity.at(i).squaredNorm();
+    ASSERT_LT(energy, before);
+    before = energy;
+  }
+}
+
 TEST(ViscosityRate, DoesNotDependOnTheNumberOfSubsteps) {
   const auto after = [](int substeps) {
     auto cloud = movingCloud<double>({Vec3d::Zero(), Vec3d(0.03, 0, 0)});

@@ -99,6 +99,7 @@ class RunScene(unittest.TestCase):
                  ([self.scene, "--duration", "nan"], "--duration"),
                  ([self.scene, "--duration", "-3"], "--duration"),
                  ([self.scene, "--frames-hz", "0"], "--frames-hz"),
+                 ([self.scene, "--sample-hz", "-1"], "--sample-hz"),
                  ([self.scene, "--report", self.folder / "no" / "r.json"], "report"),
                  ([self.scene, "--series", self.folder / "no" / "s.csv"], "series"),
                  ([self.scene, "--particles", self.folder / "no" / "p.csv"], "particles"),
@@ -164,6 +165,21 @@ class RunScene(unittest.TestCase):
         for name in ("density_error_mean", "own_density_error_max", "temperature_c", "strictness",
                      "springs"):
             self.assertIn(name, rows[0])
+
+    def test_samples_thin_series_and_record(self):
+        record = self.folder / "record.npy"
+        rows = self.table("--series", "--sample-hz", 20, "--record", record)
+        self.assertEqual([round(row["time_s"], 6) for row in rows], [0, 0.05, 0.1], "every third frame")
+        self.assertEqual(len(numpy.load(record)), 3)
+        self.assertGreater(rows[1]["resident_bytes"], 1e6)
+        odd = self.table("--series", "--sample-hz", 15)
+        self.assertEqual([round(60 * row["time_s"]) for row in odd], [0, 4, 6], "the last frame always")
+
+    def test_the_fastest_of_all_frames_is_told(self):
+        report = self.report()
+        fastest = max(row["max_speed_m_s"] for row in self.table("--series"))
+        self.assertAlmostEqual(report["fastest_m_s"], fastest)
+        self.assertGreater(report["peak_resident_bytes"], 1e6)
 
     def test_series_knows_where_the_water_is_and_how_it_falls(self):
         rows = self.table("--series")

@@ -1,0 +1,54 @@
+"""Four words for what becomes of a run; doc/stability.md explains them."""
+
+import math
+
+REFUSED, STABLE, DEGRADED, UNSTABLE = "refused", "stable", "degraded", "unstable"
+WORDS = (STABLE, DEGRADED, REFUSED, UNSTABLE)
+
+# Beyond these a run that stays up is called degraded. Water at rest at the default has 0.6 % and 0 %.
+MOST_ERROR = 0.02  # mean density error
+MOST_RISE = 0.05  # energy risen without work, of what the scene holds
+
+
+def worse(value, bound):
+    """A face that the scene lacks is no worse."""
+    return not math.isnan(value) and value > bound
+
+
+def limited(report):
+    """How often a limit acted: on the speed, or on what one iteration may correct."""
+    return report["speed_limited"]
+
+
+def energy_rise(outcome):
+    """Without work; steam rises by heat, which is work."""
+    return math.nan if outcome.report.get("most_steam", 0) > 0 else outcome.face("energy_rise")
+
+
+def verdict(outcome):
+    if outcome.status == "refused":
+        return REFUSED
+    if not outcome.survived():
+        return UNSTABLE
+    report = outcome.report
+    if limited(report) > 0 or worse(report["density_error_mean"], MOST_ERROR):
+        return DEGRADED
+    return DEGRADED if worse(energy_rise(outcome), MOST_RISE) else STABLE
+
+
+def reason(outcome):
+    """Why it is not stable, in a few words."""
+    if outcome.status in ("refused", "crashed", "stopped"):
+        return outcome.message
+    report, words = outcome.report, []
+    if report["non_finite"]:
+        words.append(f"{report['non_finite']} values not finite")
+    if report["escaped"]:
+        words.append(f"{report['escaped']} particles escaped")
+    if limited(report):
+        words.append(f"slowed {limited(report)} times")
+    if worse(report["density_error_mean"], MOST_ERROR):
+        words.append(f"density error {100 * report['density_error_mean']:.3g} %")
+    if worse(energy_rise(outcome), MOST_RISE):
+        words.append(f"energy risen by {100 * energy_rise(outcome):.3g} %")
+    return ", ".join(words)

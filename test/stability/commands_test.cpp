@@ -1,0 +1,195 @@
+// What people do to a simulation while it runs, as absurdly as it can be done. Each test is a line
+// of doc/stability.md: its properties `number`, `title` and `expected` say which.
+#include <cmath>
+#include <limits>
+
+#include "../core/fixtures.h"
+#include "ice_ice_baby/errors.h"
+#include "watched_run.h"
+
+namespace ice_ice_baby {
+namespace {
+
+using test::Figures;
+using test::Random;
+using test::stabilityScene;
+using test::WatchedRun;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class Commands : public testing::Test {
+ protected:
+  static void line(int number, const char* title, const char* expected) {
+    RecordProperty("number", number);
+    RecordProperty("title", title);
+    RecordProperty("expected", expected);
+  }
+  void TearDown() override { figures_.tell(); }
+
+  Figures figures_;
+};
+
+/// Alternates at 30 Hz between the two temperatures for two seconds.
+void alternate(WatchedRun& run, double cold_c, double warm_c) {
+  for (int half = 0; half < 120; ++half) {
+    run->setTemperature(half % 2 == 0 ? cold_c : warm_c, 0.0);
+    run.frame();
+    EXPECT_LE(run->report().springs, 32 * run->report().particles);
+  }
+}
+
+TEST_F(Commands, FreezeAndThawOfSpringsAt30Hz) {
+  line(8, "Springs frozen and thawed thirty times a second", "springs bounded, no energy gained");
+  WatchedRun run(figures_, stabilityScene("splash"));
+  alternate(run, -10, 20);
+  EXPECT_LT(run.face("energy_rise"), 0.05);
+  EXPECT_LT(run.fastest_m_s(), 10.0);
+}
+
+TEST_F(Commands, FreezeAndThawByHeatAt30Hz) {
+  line(8, "Water frozen and thawed by heat thirty times a second",
+       "springs bounded, no energy gained");
+  WatchedRun run(figures_, stabilityScene("frost", {{"heat.speedup", "1e6"}}));
+  alternate(run, -200, 200);
+  EXPECT_LT(run.face("energy_rise"), 0.05);
+  EXPECT_LT(run.fastest_m_s(), 10.0);
+}
+
+TEST_F(Commands, GravityThatFlipsEveryFrame) {
+  line(15, "Gravity that flips every frame, up to 10,000 m/s²", "contained");
+  for (const char* scene : {"splash", "iceberg", "hail"}) {
+    WatchedRun run(figures_, stabilityScene(scene));
+    for (int k = 0; k < 60; ++k) {
+      const double size = k < 30 ? 9.81 : 1e4;
+      run->setGravity(Vec3d(0, 0, k % 2 == 0 ? size : -size));
+      run.frame();
+    }
+    run->setGravity(Vec3d(0, 0, -9.81));
+    run.frames(30);
+  }
+}
+
+TEST_F(Commands, AContainerThatJumps) {
+  line(16, "A closed tank jumps by up to 100 m within a frame, turning", "all carried along");
+  for (const char* scene : {"splash", "iceberg", "hail"}) {
+    WatchedRun run(figures_, stabilityScene(scene));
+    const std::string name = run->scene().containers[0].name;
+    Random random(5);
+    run.frames(20);
+    for (int k = 0; k < 12; ++k) {
+      const Vec3d place = random.inBox(Vec3d::Constant(-50), Vec3d::Constant(50));
+      const Vec3d turn = random.inBox(Vec3d::Constant(-180), Vec3d::Constant(180));
+      run->moveCollider(name, poseOf(place, turn));
+      run.frames(5);
+    }
+    // The limit stands before viscosity, which in water that is too dense adds a little.
+    EXPECT_LE(run.fastest_m_s(), 1.05 * run->scene().solver.max_speed_m_s);
+  }
+}
+
+TEST_F(Commands, AContainerThatShakes) {
+  line(0, "A closed tank shaken by a tenth of a metre every frame", "all stay inside");
+  for (const char* scene : {"splash", "iceberg", "hail"}) {
+    WatchedRun run(figures_, stabilityScene(scene));
+    const std::string name = run->scene().containers[0].name;
+    for (int k = 0; k < 60; ++k) {
+      run->moveCollider(name,
+                        poseOf({k % 2 == 0 ? 0.1 : -0.1, 0, 0.05 * (k % 3)}, {0, 9.0 * k, 0}));
+      run.frame();
+    }
+  }
+}
+
+/// That the command is refused and the next frame is the same as if it had never been given.
+template <class Command>
+void expectNothingChanged(Figures& figures, const std::string& scene, Command&& command) {
+  WatchedRun asked(figures, stabilityScene(scene)), other(figures, stabilityScene(scene));
+  asked.frames(3);
+  other.frames(3);
+  EXPECT_THROW(command(*asked), InvalidInput);
+  asked.frames(3);
+  other.frames(3);
+  EXPECT_EQ(asked->stateHash(), other->stateHash());
+}
+
+TEST_F(Commands, AbsurdTemperaturesAreRefused) {
+  line(9, "±10⁶ degrees, NaN and infinity as commands", "refused, nothing changed");
+  for (const double celsius : {1e6, -1e6, kNan, kInfinity, -kInfinity}) {
+    expectNothingChanged(figures_, "frost", [&](Simulation& s) { s.setTemperature(celsius, 0); });
+    expectNothingChanged(figures_, "frost",
+                         [&](Simulation& s) { s.setTemperature(celsius, 0, "tank"); });
+  }
+  for (const double ramp_s : {-1.0, 1e7, kNan}) {
+    expectNothingChanged(figures_, "splash", [&](Simulation& s) { s.setTemperature(-5, ramp_s); });
+  }
+  for (const double power_w : {1e10, -1e10, kNan, kInfinity}) {
+    HeatRegion region;
+    region.power_w = power_w;
+    region.duration_s = 1;
+    expectNothingChanged(figures_, "frost", [&](Simulation& s) { s.heatRegion(region); });
+  }
+}
+
+TEST_F(Commands, AbsurdPosesAndGravityAreRefused) {
+  line(25, "Poses and gravity that are no numbers, mirrors or too far", "refused, nothing changed");
+  Posed far, mirror, nowhere, bent;
+  far.position = Vec3d(1e5, 0, 0);
+  mirror.rotation = -Mat3<double>::Identity();
+  nowhere.position.z() = kNan;
+  bent.rotation(0, 0) = kInfinity;
+  for (const Posed& pose : {far, mirror, nowhere, bent}) {
+    expectNothingChanged(figures_, "splash", [&](Simulation& s) { s.moveCollider("tank", pose); });
+  }
+  for (const double g : {1e5, kNan, kInfinity}) {
+    expectNothingChanged(figures_, "splash", [&](Simulation& s) { s.setGravity({0, g, 0}); });
+  }
+}
+
+TEST_F(Commands, ATorchOfAGigawatt) {
+  line(0, "A hundred torches and sprays of a gigawatt",
+       "contained, within the range of temperatures");
+  WatchedRun run(figures_, stabilityScene("frost"));
+  Random random(7);
+  for (std::size_t k = 0; k < kMaxHeatRegions; ++k) {
+    HeatRegion region;
+    region.centre_m = random.inBox({-0.4, -0.2, 0}, {0.4, 0.2, 0.5});
+    region.size_m = Vec3d::Constant(0.3);
+    region.power_w = k % 2 == 0 ? 1e9 : -1e9;
+    region.duration_s = random.uniform(0, 1);
+    run->heatRegion(region);
+  }
+  run.frames(90);
+  for (const ParticleSample& p : run.particles()) {
+    EXPECT_GE(p.temperature_c, float(kTemperatureRange_c.min));
+    EXPECT_LE(p.temperature_c, float(kTemperatureRange_c.max));
+  }
+}
+
+TEST_F(Commands, EverythingAtOnce) {
+  line(0, "Any command at any frame, each as large as is allowed", "contained");
+  Random random(11);
+  for (const char* scene : {"splash", "frost", "hail"}) {
+    WatchedRun run(figures_, stabilityScene(scene));
+    const bool heat = run->scene().heat.enabled;
+    const std::string name = run->scene().containers[0].name;
+    for (int k = 0; k < 60; ++k) {
+      const double which = random.uniform(0, 4);
+      if (which < 1) run->setGravity(random.direction() * std::pow(10.0, random.uniform(-3, 4)));
+      if (which >= 1 && which < 2) {
+        run->setTemperature(random.uniform(-273.15, 1000), random.uniform(0, 0.2));
+      }
+      if (heat && which >= 2 && which < 3) {
+        run->setTemperature(random.uniform(-273.15, 1000), 0.0, name);
+      }
+      if (which >= 3) {
+        const Vec3d place = random.inBox(Vec3d::Constant(-5), Vec3d::Constant(5));
+        run->moveCollider(name, poseOf(place, 180 * random.inBox(-Vec3d::Ones(), Vec3d::Ones())));
+      }
+      run.frame();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ice_ice_baby
