@@ -312,7 +312,10 @@ INSTANTIATE_TEST_SUITE_P(Config, ShippedScene, testing::ValuesIn([] {
                            std::sort(paths.begin(), paths.end());
                            return paths;
                          }()),
-                         [](const auto& path) { return fs::path(path.param).stem().string(); });
+                         [](const auto& shipped) {
+                           const fs::path path = shipped.param;
+                           return path.parent_path().stem().string() + "_" + path.stem().string();
+                         });
 
 }  // namespace
 }  // namespace ice_ice_baby
