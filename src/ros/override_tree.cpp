@@ -38,6 +38,15 @@ std::string mapText(const XmlRpcValue& map, const std::string& key) {
   return out + "}";
 }
 
+/// More than this is no scene that a person has written.
+constexpr std::size_t kMostText = 1000000;
+
+std::size_t textOf(const std::vector<Override>& overrides) {
+  std::size_t total = 0;
+  for (const Override& change : overrides) total += change.key.size() + change.value.size();
+  return total;
+}
+
 void collect(const XmlRpcValue& tree, const std::string& path, std::vector<Override>& out) {
   for (auto entry = tree.begin(); entry != tree.end(); ++entry) {
     const std::string key = path.empty() ? entry->first : path + "." + entry->first;
@@ -66,7 +75,7 @@ std::string yamlText(const XmlRpcValue& value, const std::string& key) {
     case XmlRpcValue::TypeStruct:
       return mapText(value, key);
     default:
-      throw InvalidInput("parameter " + key +
+      throw InvalidInput("parameter " + shortened(key) +
                          " must be a number, a text, true, false, a list or a map of them");
   }
 }
@@ -74,10 +83,15 @@ std::string yamlText(const XmlRpcValue& value, const std::string& key) {
 std::vector<Override> readOverrides(const XmlRpcValue& tree) {
   std::vector<Override> overrides;
   if (tree.getType() != XmlRpcValue::TypeStruct) {
-    throw InvalidInput("parameter ~overrides = " + yamlText(tree, "~overrides") +
+    throw InvalidInput("parameter ~overrides = " + shortened(yamlText(tree, "~overrides")) +
                        " must be a map of scene keys, as {fluid: {spacing_m: 0.04}}");
   }
   collect(tree, "", overrides);
+  if (textOf(overrides) > kMostText) {
+    throw InvalidInput("parameter ~overrides holds " + std::to_string(textOf(overrides)) +
+                       " characters, outside the allowed range [0, " + std::to_string(kMostText) +
+                       "]; put the scene in a .yaml file and name it in ~scene");
+  }
   return overrides;
 }
 

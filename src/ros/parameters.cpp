@@ -74,13 +74,14 @@ class Reader {
     for (auto entry = tree_.begin(); entry != tree_.end(); ++entry) {
       const std::string& name = entry->first;
       if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-      throw InvalidInput("unknown parameter ~" + name + suggestion(name, known_, "~"));
+      throw InvalidInput("unknown parameter ~" + shortened(name) +
+                         suggestion(shortened(name), known_, "~"));
     }
   }
 
   [[noreturn]] void refuse(const std::string& name, const std::string& allowed) const {
-    throw InvalidInput("parameter ~" + name + " = " + yamlText(tree_[name], "~" + name) + " " +
-                       allowed);
+    throw InvalidInput("parameter ~" + name + " = " +
+                       shortened(yamlText(tree_[name], "~" + name)) + " " + allowed);
   }
 
  private:
@@ -150,22 +151,33 @@ class TableWriter {
     if (ends("_hz")) return "Hz";
     if (ends("_deg")) return "degrees";
     if (ends("_m")) return "m";
-    if (ends("_period")) return "s";
+    if (ends("_period") || ends("_s")) return "s";
     return "";
   }
 
   std::ostringstream out_;
 };
 
+/// tf2 itself refuses no more than an empty name and a leading slash.
 void requireFrame(const std::string& name, const std::string& frame) {
-  if (!frame.empty() && frame.front() != '/') return;
-  throw InvalidInput("parameter ~" + name + " = \"" + frame +
-                     "\" must be the name of a tf frame, without a leading /, as world");
+  constexpr std::size_t kLongest = 255;
+  const bool printable = std::all_of(frame.begin(), frame.end(), [](unsigned char c) {
+    return c > ' ' && c < 127;  // neither a space nor a control character
+  });
+  const bool usable = !frame.empty() && frame.size() <= kLongest && frame.front() != '/';
+  if (usable && printable && frame.back() != '/') return;
+  throw InvalidInput("parameter ~" + name + " = \"" + shortened(frame) +
+                     "\" must be the name of a tf frame: 1 to 255 ASCII characters without "
+                     "spaces, no / at either end, as world");
 }
 
 }  // namespace
 
 NodeParameters readParameters(const XmlRpcValue& tree) {
+  if (tree.valid() && tree.getType() != XmlRpcValue::TypeStruct) {
+    throw InvalidInput("the parameters of the node = " + shortened(yamlText(tree, "~")) +
+                       " must be a map of names and values; rosparam delete NAME_OF_THE_NODE");
+  }
   NodeParameters parameters;
   Reader reader(tree);
   describe(parameters, reader);

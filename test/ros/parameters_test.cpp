@@ -92,8 +92,44 @@ TEST(Parameters, WrongTypesAreRefused) {
 
 TEST(Parameters, FramesMustBeUsableAndDiffer) {
   EXPECT_TRUE(mentions(refusal(with("frame_id", "")), "~frame_id"));
-  EXPECT_TRUE(mentions(refusal(with("scene_frame", "/scene")), "leading /"));
+  for (const std::string& frame :
+       {std::string(), std::string("/scene"), std::string("scene/"), std::string("a scene"),
+        std::string("sc\ne"), std::string("sc\0ne", 5), std::string(256, 's')}) {
+    const std::string message = refusal(with("scene_frame", frame));
+    EXPECT_TRUE(mentions(message, "~scene_frame")) << frame;
+    EXPECT_TRUE(mentions(message, "no / at either end")) << message;
+    EXPECT_LT(message.size(), 400u);
+  }
+  EXPECT_EQ(refusal(with("scene_frame", std::string(255, 's'))), "");
   EXPECT_TRUE(mentions(refusal(with("scene_frame", "world")), "both world"));
+}
+
+TEST(Parameters, RubbishIsNamedInAFewWords) {
+  XmlRpcValue list, deep;
+  for (int k = 0; k < 20000; ++k) list[k] = 0.5;
+  for (int k = 0; k < 900; ++k) {
+    XmlRpcValue outer;
+    outer[0] = deep;
+    deep = outer;
+  }
+  EXPECT_TRUE(mentions(refusal(list), "must be a map"));
+  EXPECT_LT(refusal(list).size(), 400u);
+  for (const XmlRpcValue& rubbish : {list, deep, XmlRpcValue(std::string(5000000, 'x'))}) {
+    for (const char* name : {"scene_position_m", "threads", "start_paused", "precision", "unknown",
+                             "overrides"}) {
+      const std::string message = refusal(with(name, rubbish));
+      EXPECT_TRUE(mentions(message, name)) << name;
+      EXPECT_LT(message.size(), 1000u) << name;
+    }
+  }
+}
+
+TEST(Parameters, OverridesThatAreNoSceneOfAPersonAreRefused) {
+  XmlRpcValue tree;
+  for (int k = 0; k < 60000; ++k) tree["overrides"]["spheres"][k]["radius_m"] = 0.125;
+  const std::string message = refusal(tree);
+  EXPECT_TRUE(mentions(message, "~overrides holds")) << message;
+  EXPECT_TRUE(mentions(message, "[0, 1000000]")) << message;
 }
 
 TEST(Parameters, OverridesBecomeDottedKeys) {
