@@ -26,9 +26,10 @@ void requireName(const std::string& name) {
            c == '_';
   });
   if (plain && !name.empty() && name.size() <= kLongestName) return;
-  throw InvalidInput("name = \"" + shortened(name) +
-                     "\" must be 1 to 64 letters, digits, - or _, as before_freezing; the folder is "
-                     "the node's parameter ~checkpoint_folder");
+  throw InvalidInput(
+      "name = \"" + shortened(name) +
+      "\" must be 1 to 64 letters, digits, - or _, as before_freezing; the folder is "
+      "the node's parameter ~checkpoint_folder");
 }
 
 fs::file_time_type writtenAt(const fs::path& path) {

@@ -102,7 +102,8 @@ void Checkpoints::autosave() {
   } catch (const std::exception& e) {
     const bool told = status().problem == e.what();
     note("", e.what());
-    if (!told && !ending()) ROS_ERROR("No checkpoint was made, the simulation goes on: %s", e.what());
+    if (!told && !ending())
+      ROS_ERROR("No checkpoint was made, the simulation goes on: %s", e.what());
   }
 }
 

@@ -29,7 +29,8 @@ Diagnostics::Diagnostics(ros::NodeHandle& node, ros::NodeHandle& node_private,
   updater_.add("topics", this, &Diagnostics::topics);
   updater_.add("followed frames", this, &Diagnostics::followers);
   updater_.add("checkpoints", this, &Diagnostics::checkpoints);
-  if (of_.clock.wanted() || ros::Time::isSimTime()) updater_.add("clock", this, &Diagnostics::clock);
+  if (of_.clock.wanted() || ros::Time::isSimTime())
+    updater_.add("clock", this, &Diagnostics::clock);
   timer_ =
       node_private.createWallTimer(ros::WallDuration(parameters.diagnostic_period),
                                    [this](const ros::WallTimerEvent&) { updater_.force_update(); });

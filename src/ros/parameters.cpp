@@ -80,8 +80,8 @@ class Reader {
   }
 
   [[noreturn]] void refuse(const std::string& name, const std::string& allowed) const {
-    throw InvalidInput("parameter ~" + name + " = " +
-                       shortened(yamlText(tree_[name], "~" + name)) + " " + allowed);
+    throw InvalidInput("parameter ~" + name + " = " + shortened(yamlText(tree_[name], "~" + name)) +
+                       " " + allowed);
   }
 
  private:

@@ -72,9 +72,10 @@ void describe(NodeParameters& p, Visitor&& visit) {
         "seconds between two messages on /diagnostics");
   visit("publish_clock", p.publish_clock,
         "whether simulated time is published on /clock; refused while another node does");
-  visit("checkpoint_folder", p.checkpoint_folder,
-        "where save and load keep checkpoints, and nowhere else; \"\": ~/.ros/ice_ice_baby/ and the "
-        "name of the node");
+  visit(
+      "checkpoint_folder", p.checkpoint_folder,
+      "where save and load keep checkpoints, and nowhere else; \"\": ~/.ros/ice_ice_baby/ and the "
+      "name of the node");
   visit("autosave_s", p.autosave_s, Range{0.0, 86400.0},
         "wall time between two checkpoints by itself, of which two are kept; 0: none");
   visit("resume", p.resume,

@@ -21,8 +21,8 @@ double frameTime_s(const Simulation& simulation) {
 
 }  // namespace
 
-SimulationThread::SimulationThread(const ServedScene& scene, const RunOptions& options, RunHooks hooks,
-                                   std::unique_ptr<Simulation> loaded)
+SimulationThread::SimulationThread(const ServedScene& scene, const RunOptions& options,
+                                   RunHooks hooks, std::unique_ptr<Simulation> loaded)
     : options_(options),
       hooks_(std::move(hooks)),
       pause_wanted_(options.start_paused),
@@ -159,7 +159,8 @@ void SimulationThread::install(std::unique_ptr<Simulation> simulation,
   latest_.failure.clear();
   latest_.state_hash = 0;
   latest_.colliders.clear();
-  forEachCollider(simulation_->scene(), [this](const Collider& c) { latest_.colliders.push_back(c.name); });
+  forEachCollider(simulation_->scene(),
+                  [this](const Collider& c) { latest_.colliders.push_back(c.name); });
   const bool paced = options_.real_time_factor > 0.0;
   pacer_.setInterval(paced ? frameTime_s(*simulation_) / options_.real_time_factor : 0.0);
   pacer_.restart();

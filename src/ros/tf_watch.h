@@ -28,7 +28,7 @@ class TfWatch {
  private:
   void see(const ros::MessageEvent<const tf2_msgs::TFMessage>& event);
 
-  mutable std::mutex mutex_;  ///< guards refused_
+  mutable std::mutex mutex_;                    ///< guards refused_
   std::map<std::string, std::string> refused_;  ///< why, by frame
   ros::Subscriber dynamic_;
   ros::Subscriber static_;

@@ -74,7 +74,7 @@ class Follow(unittest.TestCase):
             status = self.node.diagnostic('followed frames', lambda s: why in s.message)
             self.assertEqual(status.level, 1)
             self.assertIn('tf frame hand cannot be used', status.message)
-            self.assertIn('/follow_test', status.message)  # who sent it
+            self.assertIn('says ' + rospy.get_name(), status.message)
             self.put_hand(0.2)
             self.node.diagnostic('followed frames', lambda s: s.level == 0)
         self.assertEqual(self.node.state().non_finite, 0)

@@ -115,8 +115,8 @@ TEST(Parameters, RubbishIsNamedInAFewWords) {
   EXPECT_TRUE(mentions(refusal(list), "must be a map"));
   EXPECT_LT(refusal(list).size(), 400u);
   for (const XmlRpcValue& rubbish : {list, deep, XmlRpcValue(std::string(5000000, 'x'))}) {
-    for (const char* name : {"scene_position_m", "threads", "start_paused", "precision", "unknown",
-                             "overrides"}) {
+    for (const char* name :
+         {"scene_position_m", "threads", "start_paused", "precision", "unknown", "overrides"}) {
       const std::string message = refusal(with(name, rubbish));
       EXPECT_TRUE(mentions(message, name)) << name;
       EXPECT_LT(message.size(), 1000u) << name;

@@ -240,16 +240,14 @@ TEST(SimulationThread, TheStateHasAHashWhileItStands) {
   ASSERT_TRUE(becomes(thread, hashed));
   const std::uint64_t start = thread.snapshot().state_hash;
   thread.step(5);
-  ASSERT_TRUE(becomes(thread, [&](const Snapshot& now) {
-    return now.report.frame == 5 && now.state_hash != 0;
-  }));
+  ASSERT_TRUE(becomes(
+      thread, [&](const Snapshot& now) { return now.report.frame == 5 && now.state_hash != 0; }));
   EXPECT_NE(thread.snapshot().state_hash, start);
   thread.reset(puddle());
   EXPECT_TRUE(becomes(thread, [&](const Snapshot& now) { return now.state_hash == start; }));
   thread.resume();
-  EXPECT_TRUE(becomes(thread, [](const Snapshot& now) {
-    return now.report.frame > 0 && now.state_hash == 0;
-  }));
+  EXPECT_TRUE(becomes(
+      thread, [](const Snapshot& now) { return now.report.frame > 0 && now.state_hash == 0; }));
 }
 
 TEST(SimulationThread, GoesOnWithALoadedSimulation) {
