@@ -91,7 +91,6 @@ class Simulation {
 
   virtual const StepReport& report() const = 0;
   virtual const Scene& scene() const = 0;
-  virtual Precision precision() const = 0;
 
   /// Goes to `celsius` over `ramp_s` seconds from now on.
   /// @param target "": the whole scene, with heat its air, and the scene's own schedule is

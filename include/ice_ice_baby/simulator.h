@@ -5,7 +5,6 @@
 
 #include <memory>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 #include "ice_ice_baby/colliders.h"
@@ -36,9 +35,6 @@ class Simulator final : public Simulation {
   const StepReport& advanceFrame() override;
   const StepReport& report() const override { return report_; }
   const Scene& scene() const override { return scene_; }
-  Precision precision() const override {
-    return std::is_same_v<Real, float> ? Precision::kFloat : Precision::kDouble;
-  }
   void setTemperature(double celsius, double ramp_s, const std::string& target) override;
   void heatRegion(const HeatRegion& region) override;
   void setGravity(const Vec3d& gravity_m_s2) override;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kEnding = ".checkpoint";
+constexpr const char* kEnding = ".ckpt";
 constexpr const char* kAutosave = "autosave";
 constexpr std::size_t kLongestName = 64;
 /// Whoever reaches the service may not fill the disk.
@@ -52,6 +52,9 @@ void CheckpointFolder::requireFree(const std::string& name) const {
     throw InvalidInput("name = \"" + name +
                        "\" is kept for the node's own checkpoints; take one that does not begin "
                        "with autosave");
+  }
+  if (fs::is_symlink(pathOf(name))) {
+    throw InvalidInput(pathOf(name) + " is a link, which may lead out of the folder; remove it");
   }
   const std::vector<std::string> there = names();
   const bool replaces = std::find(there.begin(), there.end(), name) != there.end();

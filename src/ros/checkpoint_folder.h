@@ -11,7 +11,7 @@
 
 namespace ice_ice_baby {
 
-/// Checkpoints lie flat in the folder as NAME.checkpoint; no name leads out of it.
+/// Checkpoints lie flat in the folder as NAME.ckpt; no name leads out of it.
 class CheckpointFolder {
  public:
   /// @param path absolute; the folder is made when the first checkpoint is written
@@ -21,7 +21,7 @@ class CheckpointFolder {
   const std::string& path() const { return path_; }
 
   /// @throws InvalidInput for a name that is not 1 to 64 letters, digits, - or _, or begins with
-  /// autosave, and for a 101st checkpoint
+  /// autosave, for a link and for a 101st checkpoint
   void requireFree(const std::string& name) const;
 
   /// Writes a checkpoint that a user has named. @returns its path
@@ -39,7 +39,7 @@ class CheckpointFolder {
   std::vector<std::string> names() const;
 
  private:
-  std::string pathOf(const std::string& name) const { return path_ + "/" + name + ".checkpoint"; }
+  std::string pathOf(const std::string& name) const { return path_ + "/" + name + ".ckpt"; }
 
   std::string path_;
 };

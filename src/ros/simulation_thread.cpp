@@ -199,7 +199,9 @@ void SimulationThread::applyCommands() {
   for (const Command& command : commands) {
     try {
       command.apply();
-      if (command.kind != Kind::kLook) latest_.changes += 1;
+      if (command.kind == Kind::kLook) continue;
+      latest_.changes += 1;
+      latest_.state_hash = 0;
     } catch (const std::exception& e) {
       latest_.refused += 1;
       latest_.refusal = e.what();
@@ -256,7 +258,7 @@ void SimulationThread::updateSnapshot() {
   if (!latest_.failure.empty()) pause_wanted_ = true;
 }
 
-/// Once for each state in which the simulation comes to stand.
+/// Once for each state in which the simulation stands.
 void SimulationThread::hashState() {
   if (latest_.state_hash != 0) return;
   latest_.state_hash = simulation_->stateHash();

@@ -26,7 +26,7 @@ class Folder : public testing::Test {
 
   /// @param age_s how long ago it was written
   void put(const std::string& name, int age_s) const {
-    const fs::path file = root_ / (name + ".checkpoint");
+    const fs::path file = root_ / (name + ".ckpt");
     std::ofstream(file) << name;
     fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::seconds(age_s));
   }
@@ -60,7 +60,7 @@ TEST_F(Folder, MustBeAnAbsolutePath) {
 
 TEST_F(Folder, WritesAndFindsWhatWasNamed) {
   const std::string file = folder().save("bytes", "before-Freezing_2");
-  EXPECT_EQ(file, (root_ / "before-Freezing_2.checkpoint").string());
+  EXPECT_EQ(file, (root_ / "before-Freezing_2.ckpt").string());
   EXPECT_EQ(content(file), "bytes");
   EXPECT_EQ(folder().find("before-Freezing_2"), file);
   folder().save("newer", "before-Freezing_2");
@@ -78,6 +78,12 @@ TEST_F(Folder, NoNameLeadsOutOfIt) {
   }
   EXPECT_TRUE(fs::is_empty(root_));
   EXPECT_EQ(refusal(std::string(64, 'a')), "");
+}
+
+TEST_F(Folder, ALinkLeadsOutOfItNeither) {
+  fs::create_symlink("/tmp/elsewhere", root_ / "link.ckpt");
+  EXPECT_NE(refusal("link").find("is a link"), std::string::npos);
+  EXPECT_FALSE(fs::exists("/tmp/elsewhere"));
 }
 
 TEST_F(Folder, NamesOfTheNodeAreItsOwn) {
@@ -133,8 +139,8 @@ TEST_F(Folder, NamesWhatIsBroken) {
   const Resumption resumption = resumeFrom(folder(), 1);
   EXPECT_EQ(resumption.simulation, nullptr);
   ASSERT_EQ(resumption.broken.size(), 2u);
-  EXPECT_NE(resumption.broken[0].find("broken.checkpoint"), std::string::npos);
-  EXPECT_NE(resumption.broken[1].find("rubbish.checkpoint"), std::string::npos);
+  EXPECT_NE(resumption.broken[0].find("broken.ckpt"), std::string::npos);
+  EXPECT_NE(resumption.broken[1].find("rubbish.ckpt"), std::string::npos);
 }
 
 }  // namespace

@@ -60,14 +60,14 @@ class Checkpoint(unittest.TestCase):
             return log.read()
 
     def files(self):
-        return sorted(os.path.basename(f) for f in glob.glob(self.folder.name + '/*.checkpoint'))
+        return sorted(os.path.basename(f) for f in glob.glob(self.folder.name + '/*.ckpt'))
 
     def test_goes_on_with_the_same_bits(self):
         node = self.start()
         node.run_frames(3)
         saved = node.save(name='three')
         self.assertTrue(saved.success, saved.message)
-        self.assertEqual(saved.file, os.path.join(self.folder.name, 'three.checkpoint'))
+        self.assertEqual(saved.file, os.path.join(self.folder.name, 'three.ckpt'))
         self.assertEqual(saved.bytes, os.path.getsize(saved.file))
         node.set_temperature(temperature=-5.0)
         frozen = node.save(name='cold')  # with a command that no frame has seen yet
@@ -100,11 +100,11 @@ class Checkpoint(unittest.TestCase):
         flipped[len(whole) // 2] ^= 1
         for name, content in (('empty', b''), ('cut', whole[:len(whole) // 2]),
                               ('flipped', bytes(flipped)), ('text', b'name: small\n')):
-            with open(os.path.join(self.folder.name, name + '.checkpoint'), 'wb') as broken:
+            with open(os.path.join(self.folder.name, name + '.ckpt'), 'wb') as broken:
                 broken.write(content)
             answer = node.load(name=name)
             self.assertFalse(answer.success)
-            self.assertIn(name + '.checkpoint', answer.message)
+            self.assertIn(name + '.ckpt', answer.message)
             self.assertEqual((node.hash(), node.state().frame), (before, 2))
 
     def test_killed_at_any_moment_it_goes_on(self):
@@ -128,8 +128,8 @@ class Checkpoint(unittest.TestCase):
             saver.join()
         self.assertGreater(saved[0], 0)
         self.assertNotIn('Cannot resume', self.log())
-        self.assertLessEqual(set(self.files()), {'autosave_1.checkpoint', 'autosave_2.checkpoint',
-                                                 'by_hand.checkpoint'})
+        self.assertLessEqual(set(self.files()), {'autosave_1.ckpt', 'autosave_2.ckpt',
+                                                 'by_hand.ckpt'})
 
     @staticmethod
     def hash_after_a_frame(node, frame):
@@ -151,7 +151,7 @@ class Checkpoint(unittest.TestCase):
         node = self.start('autosave_s:=0.1', 'resume:=true')  # no folder yet: the scene
         self.assertEqual(node.state().frame, 0)
         node.run_frames(2)
-        wait_until(lambda: 'autosave_1.checkpoint' in self.files(), 'an autosave')
+        wait_until(lambda: 'autosave_1.ckpt' in self.files(), 'an autosave')
         node.run_frames(2)
         wait_until(lambda: len(self.files()) == 2, 'two autosaves')
         time.sleep(0.5)
@@ -159,14 +159,14 @@ class Checkpoint(unittest.TestCase):
         time.sleep(0.5)
         self.assertEqual(len(self.files()), 2)
         self.assertEqual(self.start('resume:=true', 'autosave_s:=0').state().frame, 5)
-        newest = max(glob.glob(self.folder.name + '/*.checkpoint'), key=os.path.getmtime)
+        newest = max(glob.glob(self.folder.name + '/*.ckpt'), key=os.path.getmtime)
         os.truncate(newest, 100)
         node = self.start('resume:=true')
         self.assertIn(node.state().frame, (2, 4))
         status = node.diagnostic('checkpoints', lambda s: s.level == 1)
         self.assertIn(newest, status.message)
         self.assertIn('resumed from autosave', status.message)
-        for file in glob.glob(self.folder.name + '/*.checkpoint'):
+        for file in glob.glob(self.folder.name + '/*.ckpt'):
             os.truncate(file, 100)
         node = self.start('resume:=true')
         self.assertEqual(node.state().frame, 0)
@@ -183,7 +183,7 @@ class Checkpoint(unittest.TestCase):
         before = node.hash()
         answer = node.save(name='large')
         self.assertFalse(answer.success)
-        self.assertIn('large.checkpoint', answer.message)
+        self.assertIn('large.ckpt', answer.message)
         self.assertIn('No space left', answer.message)
         status = node.diagnostic('checkpoints', lambda s: s.level == 2)
         self.assertIn('No space left', status.message)

@@ -21,7 +21,6 @@ class Watched final : public Simulation {
   const StepReport& advanceFrame() override { return real_->advanceFrame(); }
   const StepReport& report() const override { return real_->report(); }
   const Scene& scene() const override { return real_->scene(); }
-  Precision precision() const override { return real_->precision(); }
   void setTemperature(double c, double s, const std::string& target) override {
     real_->setTemperature(c, s, target);
   }
