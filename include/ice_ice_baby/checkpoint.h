@@ -24,10 +24,14 @@ std::unique_ptr<Simulation> decodeCheckpoint(std::string_view bytes, const std::
                                              int threads = 0);
 
 /// Puts the bytes of a checkpoint at `path`, whole or not at all: whatever happens meanwhile, power
-/// loss included, `path` holds either what it held or all of the bytes. Missing folders are made.
+/// loss included, `path` holds either what it held or all of the bytes.
 /// @throws InvalidInput that names the path and the cause (no space, no permission, ...); the old
 /// file stays and nothing else is left behind
 void writeCheckpoint(std::string_view bytes, const std::string& path);
+
+/// Whether a checkpoint can be saved there as far as one can know beforehand.
+/// @throws InvalidInput as writeCheckpoint would
+void requireSavable(const std::string& path);
 
 /// writeCheckpoint of encodeCheckpoint. @throws InvalidInput as writeCheckpoint
 void saveCheckpoint(const Simulation& simulation, const std::string& path);

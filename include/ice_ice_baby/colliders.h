@@ -13,6 +13,11 @@ template <class Real>
 struct Motion {
   Pose<Real> from;
   Pose<Real> to;
+
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.from, self.to);
+  }
 };
 
 /// Box in its own frame, centred on x and y.
@@ -94,6 +99,17 @@ class Colliders {
   Posed pose(const std::string& name) const;
 
   std::size_t bytes() const;
+
+  /// Where each of them is and where it goes; what they are is the scene's.
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    for (auto& travel : self.travels_) archive(travel.start, travel.target);
+    for (auto& body : self.containers) archive(body.motion);
+    for (auto& body : self.planes) archive(body.motion);
+    for (auto& body : self.spheres) archive(body.motion);
+  }
+  /// @throws InvalidInput when what was read is nowhere that a collider may be
+  void settle() const;
 
   std::vector<Body<Real, ContainerShape<Real>>> containers;
   std::vector<Body<Real, PlaneShape<Real>>> planes;

@@ -52,6 +52,13 @@ class DensityConstraint {
 
   std::size_t bytes() const;
 
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.density_, self.multiplier_, self.correction_);
+  }
+  /// @throws InvalidInput when what was read is not that of `particles` particles
+  void settle(std::size_t particles);
+
  private:
   void resize(std::size_t n);
   void addWalls(const VectorField<Real>& x, ParticleRange range);

@@ -74,6 +74,14 @@ class Heat {
 
   std::size_t bytes() const;
 
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.enthalpy_, self.received_, self.walls_, self.regions_, self.passes_,
+            self.longest_pass_s_, self.reached_speedup_);
+  }
+  /// @throws InvalidInput when what was read is not that of `particles` particles
+  void settle(std::size_t particles) const;
+
  private:
   void measure(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
                const HeatStep<Real>& step);

@@ -19,6 +19,10 @@ class HeatRegions {
   void advance(const VectorField<Real>& x, double dt_s, std::vector<Real>& power_w);
 
   std::size_t size() const { return active_.size(); }
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.active_);
+  }
   std::size_t bytes() const { return active_.capacity() * sizeof(HeatRegion); }
 
  private:

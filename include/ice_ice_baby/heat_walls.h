@@ -55,6 +55,13 @@ class HeatWalls {
   /// For a puff of steam: surfaces with a temperature that it touches; `length_m` counts them.
   WallContact<Real> touching(const Vec3<Real>& point) const;
 
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    for (auto& one : self.surfaces_) {
+      archive(one.heat, one.celsius, one.target_c, one.ramp_left_s);
+    }
+  }
+
   std::size_t bytes() const { return share_.bytes() + surfaces_.capacity() * sizeof(Surface); }
 
  private:

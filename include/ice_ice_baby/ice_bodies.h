@@ -101,6 +101,15 @@ class IceBodies {
   std::uint64_t limited() const { return limited_; }
   std::size_t bytes() const;
 
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.bodies_, self.place_, self.offset_, self.outward_, self.generation_,
+            self.renumbered_);
+  }
+  /// Works out which member is where. @throws InvalidInput when what was read are no bodies of
+  /// `particles` particles, or one is anchored to none of the colliders
+  void settle(std::size_t particles, std::size_t colliders);
+
  private:
   /// Particles of one label.
   struct Group {

@@ -20,6 +20,10 @@ struct Placement {
 
   Vec3d at(const Vec3d& offset_m) const { return centre_m + turn * offset_m; }
   bool allFinite() const { return centre_m.allFinite() && turn.allFinite(); }
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.centre_m, self.rotation, self.turn);
+  }
 };
 
 /// The angular momentum is kept rather than the spin, as free rotation conserves it to the last bit
@@ -64,6 +68,14 @@ struct IceBody {
   /// Where free flight of `dt_s` ends: midpoint rule on the spin, angular momentum held.
   Placement flight(double dt_s) const;
   void stop();
+
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.pose, self.next, self.velocity_m_s, self.angular_momentum, self.mass_kg,
+            self.inertia, self.mobility, self.mobility_now, self.radius_m, self.first, self.last,
+            self.surface_last, self.anchor, self.hold, self.speed_m_s, self.still_s, self.asleep,
+            self.supported, self.island);
+  }
 };
 
 }  // namespace ice_ice_baby

@@ -36,6 +36,14 @@ class IceContacts {
   std::uint64_t limited() const { return limited_; }
   std::size_t bytes() const;
 
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.walls_, self.pairs_, self.dormant_walls_, self.dormant_pairs_, self.candidates_,
+            self.generation_, self.builds_, self.dt_s_);
+  }
+  /// @throws InvalidInput when what was read touches other than these bodies
+  void settle(const IceBodies<Real>& bodies) const;
+
  private:
   /// One member at a face of a collider, or two members of different bodies.
   struct Contact {
@@ -50,6 +58,12 @@ class IceContacts {
     double friction;
     double pressed = 0;            ///< multiplier of the normal, kg m: its force times dt^2
     Vec3d rubbed = Vec3d::Zero();  ///< those of the two tangents
+
+    /// What the next substep takes over.
+    template <class Self, class Archive>
+    static void exchange(Self& self, Archive& archive) {
+      archive(self.key, self.a, self.b, self.member_a, self.member_b, self.pressed, self.rubbed);
+    }
   };
   /// One direction of a contact, linear in the moves of its bodies.
   struct Row {
@@ -75,6 +89,11 @@ class IceContacts {
   /// Members of different bodies that may meet while the neighbour lists last.
   struct Candidate {
     Index a, b;  ///< members, a < b
+
+    template <class Self, class Archive>
+    static void exchange(Self& self, Archive& archive) {
+      archive(self.a, self.b);
+    }
   };
 
   Contact& contactAt(std::size_t k) {

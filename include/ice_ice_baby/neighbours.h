@@ -56,6 +56,15 @@ class Neighbours {
   std::size_t pairs() const;
   std::size_t bytes() const;
 
+  /// Where the lists were built: they follow from it.
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.built_at_, self.builds_);
+  }
+  /// Builds the lists again where those that a checkpoint held were built.
+  /// @throws InvalidInput when these are not positions of `particles` particles sorted by cell
+  void settle(std::size_t particles);
+
  private:
   static constexpr std::size_t kChunk = 256;
 

@@ -36,6 +36,10 @@ struct VectorField {
     z[i] = value.z();
   }
   void add(std::size_t i, const Vec3<Real>& value) { set(i, at(i) + value); }
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.x, self.y, self.z);
+  }
 };
 
 template <class Real>
@@ -64,6 +68,14 @@ struct Particles {
 
   /// Puts particle order[k] at place k. `order` is a permutation of 0 ... n-1.
   void reorder(const std::vector<Index>& order);
+
+  /// Between two frames; x* is x there.
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.position, self.velocity, self.id);
+  }
+  /// @throws InvalidInput unless a checkpoint that was read holds each of `count` particles once
+  void settle(std::size_t count);
 };
 
 /// Range of ids that one block spawned.

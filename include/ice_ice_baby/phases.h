@@ -64,6 +64,16 @@ class Phases {
 
   std::size_t bytes() const;
 
+  /// Flags and counts follow from the phases; those of the latest update are for that alone.
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.phase_, self.share_, self.full_share_, self.swelling_, self.slush_, self.wet_,
+            self.pressed_, self.stuck_to_);
+  }
+  /// @throws InvalidInput when what was read is not that of `particles` particles
+  /// @param colliders of the scene, to which ice may stick
+  void settle(std::size_t particles, std::size_t colliders);
+
  private:
   Phase next(std::size_t i, const EnthalpyCurve& curve, double enthalpy_j_kg) const;
 

@@ -80,6 +80,11 @@ struct TemperatureEvent {
   double at_s = 0.0;
   double celsius = 20.0;
   double ramp_s = 0.0;
+
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.at_s, self.celsius, self.ramp_s);
+  }
 };
 
 struct Scene {

@@ -10,6 +10,8 @@
 
 namespace ice_ice_baby {
 
+class StateWriter;
+
 enum class Precision { kFloat, kDouble };
 
 /// So many torches and sprays may be at work at once.
@@ -50,6 +52,17 @@ struct StepReport {
   std::size_t ice_particles = 0;    ///< that belong to a body, or are joined by springs
   std::size_t steam_particles = 0;  ///< that have left the density solve
   double frame_wall_s = 0.0;        ///< time that the frame took to compute
+
+  /// All but the wall clock.
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.frame, self.time_s, self.particles, self.springs, self.temperature_c,
+            self.strictness, self.asleep, self.density_error_mean, self.density_error_max,
+            self.kinetic_energy_j, self.potential_energy_j, self.max_speed_m_s, self.rms_speed_m_s,
+            self.speed_limited, self.non_finite, self.substeps, self.mean_celsius, self.enthalpy_j,
+            self.heat_speedup, self.bodies, self.bodies_asleep, self.ice_particles,
+            self.steam_particles);
+  }
 };
 
 /// Density of steam over that of water at 100 degrees C and 1 bar: what tells it in a sample.
@@ -79,6 +92,11 @@ struct HeatRegion {
   Vec3d size_m = Vec3d::Ones();  ///< of the box
   double power_w = 0.0;          ///< below 0 it cools; no particle leaves kTemperatureRange_c
   double duration_s = 0.0;       ///< simulated; heat.speedup multiplies the energy as all heat
+
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.shape, self.centre_m, self.size_m, self.power_w, self.duration_s);
+  }
 };
 
 /// A run of Algorithm 1 over one scene. Not thread safe: one thread steps and asks.
@@ -134,8 +152,13 @@ class Simulation {
   /// Stages that this scene holds now, in the order of Algorithm 1.
   virtual std::vector<StageStats> stages() const = 0;
 
-  /// Hash of the bits of every position and velocity, with heat of every enthalpy, in id order.
+  /// Hash of the bits of all that decides on the frames to come, the scene included. Two
+  /// simulations with the same hash go on alike.
   virtual std::uint64_t stateHash() const = 0;
+
+  virtual Precision precision() const = 0;
+  /// Writes all that is hashed and the report: encodeCheckpoint makes a checkpoint of it.
+  virtual void write(StateWriter& writer) const = 0;
 };
 
 /// @param threads threads to use, 0: all of the machine's

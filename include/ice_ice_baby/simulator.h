@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "ice_ice_baby/archive.h"
 #include "ice_ice_baby/colliders.h"
 #include "ice_ice_baby/density_constraint.h"
 #include "ice_ice_baby/heat.h"
@@ -46,6 +47,12 @@ class Simulator final : public Simulation {
   std::size_t countEscaped() const override;
   std::vector<StageStats> stages() const override;
   std::uint64_t stateHash() const override;
+  Precision precision() const override;
+  void write(StateWriter& writer) const override;
+
+  /// Takes over what another simulator of the same scene wrote behind the scene and the number of
+  /// particles. @throws InvalidInput when it makes no sense; this one is then of no more use
+  void read(StateReader& reader);
 
   /// State for tests and measurement; sorted by cell, so indices change from substep to substep.
   const Particles<Real>& particles() const { return particles_; }
@@ -80,6 +87,10 @@ class Simulator final : public Simulation {
   void updateIce();
   void stickToColdWalls();
   void reportHeat();
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive);
+  void writeState(StateWriter& writer) const;
+  void settle();
   bool frozen() const { return strictness_ >= 1.0; }
   bool inBody(std::size_t i) const { return bodies_ && bodies_->memberAt(Index(i)) != kNone; }
   bool rigidIce() const { return heat_ && scene_.ice.compliance_m_n == 0.0; }

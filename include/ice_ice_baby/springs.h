@@ -26,6 +26,11 @@ struct Spring {
   Index a;
   Index b;
   Real rest_m;
+
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.a, self.b, self.rest_m);
+  }
 };
 
 /// Length error of a spring outside its range: negative when too short, positive when too long.
@@ -84,6 +89,13 @@ class Springs {
   std::size_t size() const { return springs_.size(); }
   std::size_t bytes() const;
   const std::vector<Spring<Real>>& all() const { return springs_; }
+
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.springs_, self.sheet_count_, self.kept_);
+  }
+  /// @throws InvalidInput when what was read joins other than `particles` particles
+  void settle(std::size_t particles) const;
 
  private:
   template <class Joined>

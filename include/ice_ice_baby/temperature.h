@@ -22,6 +22,13 @@ class Temperature {
   /// 0 at and above onset_c, rising linearly to 1 at and below freezing_c.
   double strictness() const;
 
+  /// All but the time, to which advanceTo brings what was read.
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.schedule_, self.celsius_, self.ramp_start_s_, self.ramp_s_, self.from_c_,
+            self.target_c_);
+  }
+
  private:
   void startRamp(double target_c, double ramp_s, double start_s);
 

@@ -35,6 +35,10 @@ struct Pose {
   Vec3<Real> toLocal(const Vec3<Real>& world) const {
     return rotation.transpose() * (world - position);
   }
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.position, self.rotation);
+  }
   template <class Other>
   Pose<Other> cast() const {
     return {position.template cast<Other>(), rotation.template cast<Other>()};

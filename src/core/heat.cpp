@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "ice_ice_baby/clearance.h"
@@ -172,7 +173,8 @@ Real Heat<Real>::relaxation_kg_s(std::size_t i, Real links_m) const {
 template <class Real>
 double Heat<Real>::findLongestPass_s() const {
   const Real fastest_kg_s = *std::max_element(relaxation_.begin(), relaxation_.end());
-  return kSafety * lattice_.mass_kg / double(fastest_kg_s);  // infinite without exchange
+  const double longest_s = kSafety * lattice_.mass_kg / double(fastest_kg_s);
+  return std::min(longest_s, std::numeric_limits<double>::max());  // infinite without exchange
 }
 
 template <class Real>

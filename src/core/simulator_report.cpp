@@ -1,7 +1,6 @@
 // What a simulator tells of its state; nothing here changes it.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "ice_ice_baby/parallel.h"
 #include "ice_ice_baby/simulator.h"
@@ -9,14 +8,6 @@
 namespace ice_ice_baby {
 
 namespace {
-
-/// FNV-1a over the bits of a value.
-template <class T>
-void hashBits(std::uint64_t& hash, T value) {
-  unsigned char bytes[sizeof(T)];
-  std::memcpy(bytes, &value, sizeof(T));
-  for (const unsigned char byte : bytes) hash = (hash ^ byte) * 1099511628211ull;
-}
 
 std::vector<Index> placesById(const std::vector<std::uint32_t>& ids) {
   std::vector<Index> places(ids.size());
@@ -182,20 +173,6 @@ std::vector<StageStats> Simulator<Real>::stages() const {
   }
   list.push_back(report_clock_.stats(0));
   return list;
-}
-
-template <class Real>
-std::uint64_t Simulator<Real>::stateHash() const {
-  std::uint64_t hash = 14695981039346656037ull;
-  for (const Index i : placesById(particles_.id)) {
-    for (const auto* field : {&particles_.position, &particles_.velocity}) {
-      hashBits(hash, field->x[i]);
-      hashBits(hash, field->y[i]);
-      hashBits(hash, field->z[i]);
-    }
-    if (heat_) hashBits(hash, heat_->enthalpy()[i]);
-  }
-  return hash;
 }
 
 template class Simulator<float>;

@@ -7,10 +7,12 @@
 #include <optional>
 #include <vector>
 
+#include "autosave.h"
 #include "error_faces.h"
 #include "frame_writer.h"
 #include "progress_bar.h"
 #include "series_writer.h"
+#include "stop_signal.h"
 #include "trajectory_recorder.h"
 
 namespace ice_ice_baby {
@@ -53,7 +55,7 @@ class Observers {
     if (!outputs.series.empty()) series_.emplace(outputs.series);
     if (!outputs.record.empty()) record_.emplace(outputs.record, simulation.report().particles);
     const FrameView start = view();
-    watches_ = watchesFor(start);
+    if (simulation.report().frame == 0) watches_ = watchesFor(start);
     write(start);
   }
 
@@ -90,17 +92,22 @@ class Observers {
 
 }  // namespace
 
-RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double duration_s) {
+RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double end_s) {
   const Scene& scene = simulation.scene();
-  const auto frames =
-      static_cast<std::size_t>(std::ceil(duration_s * scene.solver.frame_rate_hz - 1e-9));
+  const auto first = static_cast<std::size_t>(simulation.report().frame);
+  const auto end = static_cast<std::size_t>(std::ceil(end_s * scene.solver.frame_rate_hz - 1e-9));
+  const std::size_t frames = std::max(first, end) - first;
   const double every = std::max(1.0, scene.solver.frame_rate_hz / outputs.frames_hz);
   std::unique_ptr<FrameWriter> pictures;
   if (!outputs.frames.empty()) pictures = std::make_unique<FrameWriter>(outputs.frames, scene);
   Observers observers(simulation, outputs);
   RunRecord record;
+  record.started_s = simulation.report().time_s;
   ResidualSpeed residual(scene);
   ProgressBar bar(scene.name, frames);
+  std::optional<StopSignal> stop;
+  if (!outputs.save.empty()) stop.emplace();
+  Autosave autosave(outputs.save, outputs.autosave_s, simulation.report().time_s);
   double next_picture = 0.0;
   for (std::size_t frame = 0; frame < frames; ++frame) {
     if (pictures && double(frame) >= next_picture) {
@@ -113,6 +120,9 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double du
     residual.add(report.rms_speed_m_s);
     bar.show(frame + 1, note(report, record));
     if (report.non_finite > 0) break;
+    autosave.look(simulation);
+    record.stopped = stop && stop->raised();
+    if (record.stopped) break;
   }
   record.faces = observers.faces();
   record.escaped = simulation.countEscaped();

@@ -11,12 +11,16 @@ namespace ice_ice_baby {
 struct RunOutputs {
   std::string frames;  ///< folder of pictures
   double frames_hz = 30.0;
-  std::string series;  ///< CSV over time
-  std::string record;  ///< .npy of every position
+  std::string series;       ///< CSV over time
+  std::string record;       ///< .npy of every position
+  std::string save;         ///< checkpoint
+  double autosave_s = 0.0;  ///< simulated time from one checkpoint to the next; 0: none on the way
 };
 
-/// Runs the frames of `duration_s`, or until a value was not finite.
-/// @throws InvalidInput when an output cannot be written
-RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double duration_s);
+/// Runs the frames until simulated time `end_s`, until a value was not finite, or, where the run is
+/// saved, until somebody interrupts it. Faces of the error are those of whole runs: one that goes
+/// on from a checkpoint has none.
+/// @throws InvalidInput when an output cannot be written; a checkpoint on the way is only warned of
+RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double end_s);
 
 }  // namespace ice_ice_baby

@@ -66,8 +66,8 @@ void RunRecord::addFrame(const StepReport& report, const Simulation::DensityErro
   own_error_mean += weight * (report.density_error_mean - own_error_mean);
 }
 
-double RunRecord::realTimeFactor(double simulated_s) const {
-  return wall_time_s > 0.0 ? simulated_s / wall_time_s : 0.0;
+double RunRecord::realTimeFactor(double time_s) const {
+  return wall_time_s > 0.0 ? (time_s - started_s) / wall_time_s : 0.0;
 }
 
 std::string instability(const RunRecord& record, const StepReport& report) {

@@ -12,6 +12,7 @@ namespace ice_ice_baby {
 struct RunRecord {
   std::string precision;
   int threads = 0;
+  double started_s = 0.0;  ///< simulated time at which it began: 0, or that of its checkpoint
   double wall_time_s = 0.0;
   std::uint64_t steps = 0;  ///< substeps
   std::uint64_t speed_limited = 0;
@@ -26,10 +27,11 @@ struct RunRecord {
   std::size_t most_bodies = 0;  ///< of rigid ice
   std::size_t most_steam = 0;   ///< particles
   std::vector<ErrorFace> faces;
+  bool stopped = false;  ///< by somebody, before its end
 
   void addFrame(const StepReport& report, const Simulation::DensityError& error);
-  /// Frames to seconds of simulated time per second of wall time.
-  double realTimeFactor(double simulated_s) const;
+  /// Seconds of simulated time per second of wall time, at simulated time `time_s`.
+  double realTimeFactor(double time_s) const;
 };
 
 /// Why the run counts as unstable, or "" when it does not.

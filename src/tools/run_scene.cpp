@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "frame_loop.h"
+#include "ice_ice_baby/checkpoint.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_loader.h"
 #include "run_report.h"
@@ -25,10 +26,11 @@ struct Options {
   std::string quality;
   std::optional<double> duration_s;
   int threads = 0;
-  std::string precision = "float";
+  std::string precision;
   std::vector<std::string> overrides;
   std::string report;
   std::string particles;
+  std::string load;
   RunOutputs outputs;
   bool profile = false;
   bool list = false;
@@ -43,16 +45,20 @@ constexpr char kExamples[] = R"(Examples:
   run_scene freeze_container --preset paper --report report.json
   run_scene dam_break --series series.csv --particles last.csv
   run_scene my_scene.yaml --set solver.substeps=16 --set "gravity_m_s2=[0, 0, -1.62]"
+  run_scene iceberg --save run.ckpt --autosave 1        killed at any moment, goes on with
+  run_scene --load run.ckpt --save run.ckpt --autosave 1
 Exit code: 0 ran, 1 bad input, 2 became unstable.
 )";
 
 void describeOptions(CLI::App& app, Options& o) {
   app.add_option("scene", o.scene, "name of a scene (see --list) or path of a .yaml file");
-  app.add_option("--duration", o.duration_s, "simulated seconds; without it the scene's own");
+  app.add_option("--duration", o.duration_s,
+                 "simulated seconds from the start of the scene, also with --load; without it the "
+                 "scene's own");
   app.add_option("--quality", o.quality, "fast, balanced or accurate, in place of the scene's");
   app.add_option("--preset", o.preset, "default or paper, in place of the scene's");
   app.add_option("--threads", o.threads, "threads; 0: all of the machine's");
-  app.add_option("--precision", o.precision, "float or double");
+  app.add_option("--precision", o.precision, "float (without it) or double");
   app.add_option("--set", o.overrides,
                  "key=value: any key of config/default.yaml by its dotted name")
       ->allow_extra_args(false);
@@ -67,6 +73,13 @@ void describeOptions(CLI::App& app, Options& o) {
   app.add_option("--frames", o.outputs.frames,
                  "write PNG pictures into this folder, in place of those of an earlier run");
   app.add_option("--frames-hz", o.outputs.frames_hz, "pictures per simulated second (30)");
+  app.add_option("--save", o.outputs.save,
+                 "write a checkpoint to this file at the end, also after Ctrl-C or SIGTERM");
+  app.add_option("--autosave", o.outputs.autosave_s,
+                 "write it after so many simulated seconds each, too");
+  app.add_option("--load", o.load,
+                 "go on from a checkpoint, in place of a scene, with the bits of the run that "
+                 "saved it");
   app.add_flag("--profile", o.profile, "print what each stage cost");
   app.add_flag("--list", o.list, "print the scenes and what they show");
   app.add_flag("--defaults", o.defaults, "print every key with its default, range and meaning");
@@ -74,7 +87,7 @@ void describeOptions(CLI::App& app, Options& o) {
 }
 
 Precision parsePrecision(const std::string& word) {
-  if (word == "float") return Precision::kFloat;
+  if (word.empty() || word == "float") return Precision::kFloat;
   if (word == "double") return Precision::kDouble;
   throw InvalidInput("--precision " + word + " must be float or double");
 }
@@ -96,7 +109,7 @@ void printSummary(const Simulation& simulation, const RunRecord& record) {
       "%.4f %% max %.2f %%, %zu springs, rms speed %.4f m/s%s\n",
       simulation.scene().name.c_str(), report.particles, report.time_s, record.wall_time_s,
       record.realTimeFactor(report.time_s),
-      report.frame > 0 ? 1e3 * record.wall_time_s / double(report.frame) : 0.0,
+      record.samples > 0 ? 1e3 * record.wall_time_s / double(record.samples) : 0.0,
       100 * record.density_error_mean, 100 * record.density_error_max, report.springs,
       report.rms_speed_m_s, report.asleep ? ", asleep" : "");
   if (record.speed_limited > 0) {
@@ -107,23 +120,67 @@ void printSummary(const Simulation& simulation, const RunRecord& record) {
   }
 }
 
-int runScene(const Options& options) {
-  const Scene scene = readScene(options);
-  const double duration = options.duration_s.value_or(scene.duration_s);
-  requireInRange("--duration", duration, 0.0, 1e6);
-  requireInRange("--frames-hz", options.outputs.frames_hz, 1e-3, 1e4);
+/// A checkpoint holds the scene as it was in force, so nothing of it can be asked for anew.
+void requireOnlyCheckpoint(const Options& options) {
+  const std::vector<std::pair<std::string, bool>> given = {
+      {"a scene", !options.scene.empty()},
+      {"--preset", !options.preset.empty()},
+      {"--quality", !options.quality.empty()},
+      {"--precision", !options.precision.empty()},
+      {"--set", !options.overrides.empty()}};
+  for (const auto& [what, there] : given) {
+    if (!there) continue;
+    throw InvalidInput("--load " + options.load + " and " + what +
+                       " contradict each other: a checkpoint goes on as it is; leave out one");
+  }
+}
+
+std::unique_ptr<Simulation> makeOrLoad(const Options& options) {
+  if (options.load.empty()) {
+    const Precision precision = parsePrecision(options.precision);
+    return makeSimulation(readScene(options), precision, options.threads);
+  }
+  requireOnlyCheckpoint(options);
+  return loadCheckpoint(options.load, options.threads);
+}
+
+void requireOutputs(const Options& options) {
+  const RunOutputs& outputs = options.outputs;
+  if (options.duration_s) requireInRange("--duration", *options.duration_s, 0.0, 1e6);
+  requireInRange("--frames-hz", outputs.frames_hz, 1e-3, 1e4);
+  requireInRange("--autosave", outputs.autosave_s, 0.0, 1e6);
+  if (outputs.autosave_s > 0.0 && outputs.save.empty()) {
+    throw InvalidInput("--autosave needs --save FILE, which says where to");
+  }
+  if (!outputs.save.empty()) requireSavable(outputs.save);
   if (!options.report.empty()) requireWritable(options.report, "report");
   if (!options.particles.empty()) requireWritable(options.particles, "particles");
-  const auto simulation = makeSimulation(scene, parsePrecision(options.precision), options.threads);
-  RunRecord record = runFrames(*simulation, options.outputs, duration);
-  record.precision = options.precision;
+}
+
+void saveEnd(const Simulation& simulation, const RunRecord& record, const std::string& path) {
+  if (path.empty()) return;
+  saveCheckpoint(simulation, path);
+  if (!record.stopped) return;
+  std::fprintf(stderr, "run_scene: stopped at %.3f s; go on with run_scene --load %s\n",
+               simulation.report().time_s, path.c_str());
+}
+
+int runScene(const Options& options) {
+  const auto simulation = makeOrLoad(options);
+  requireOutputs(options);
+  const double end_s = options.duration_s.value_or(simulation->scene().duration_s);
+  RunRecord record = runFrames(*simulation, options.outputs, end_s);
+  record.precision = simulation->precision() == Precision::kDouble ? "double" : "float";
   record.threads = options.threads > 0 ? options.threads : int(std::thread::hardware_concurrency());
   printSummary(*simulation, record);
   if (options.profile) std::printf("%s", profileTable(*simulation).c_str());
   if (!options.report.empty()) writeReport(options.report, *simulation, record);
   if (!options.particles.empty()) writeParticles(options.particles, *simulation);
   const std::string why = instability(record, simulation->report());
-  if (why.empty()) return kRan;
+  if (why.empty()) {  // else an older checkpoint stays
+    saveEnd(*simulation, record, options.outputs.save);
+    return kRan;
+  }
   std::fprintf(stderr, "run_scene: became unstable: %s\n", why.c_str());
   return kUnstable;
 }

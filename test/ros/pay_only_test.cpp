@@ -46,6 +46,8 @@ class Watched final : public Simulation {
   std::size_t countEscaped() const override { return real_->countEscaped(); }
   std::vector<StageStats> stages() const override { return real_->stages(); }
   std::uint64_t stateHash() const override { return real_->stateHash(); }
+  Precision precision() const override { return real_->precision(); }
+  void write(StateWriter& writer) const override { real_->write(writer); }
 
   mutable int samples = 0, spring_samples = 0, poses = 0, moves = 0;
 
