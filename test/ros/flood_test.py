@@ -34,6 +34,7 @@ class Flood(unittest.TestCase):
         self.assertEqual(clients.failures, [])
         self.assertEqual(set(clients.refused) - {self.full()}, set())
         self.assertGreater(clients.answered, CLIENTS)
+        self.assertLessEqual(clients.lost, 1 + clients.answered // 1000)
         self.assertEqual(frames, sorted(frames))
         self.assertEqual(end.particles, start.particles)
         # No frame was lost: each that ran has moved time by its own length.
