@@ -62,9 +62,8 @@ struct StepReport {
             self.strictness, self.asleep, self.density_error_mean, self.density_error_max,
             self.kinetic_energy_j, self.potential_energy_j, self.elastic_energy_j,
             self.max_speed_m_s, self.rms_speed_m_s, self.speed_limited, self.correction_limited,
-            self.non_finite, self.substeps, self.mean_celsius, self.enthalpy_j,
-            self.heat_speedup, self.bodies, self.bodies_asleep, self.ice_particles,
-            self.steam_particles);
+            self.non_finite, self.substeps, self.mean_celsius, self.enthalpy_j, self.heat_speedup,
+            self.bodies, self.bodies_asleep, self.ice_particles, self.steam_particles);
   }
 };
 

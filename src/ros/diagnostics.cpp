@@ -16,30 +16,32 @@ constexpr double kKeepsUp = 0.9;
 /// cannot keep up.
 constexpr double kManyCut = 0.01;
 
+constexpr const char* kClockMissed =
+    "waits for /clock: /use_sim_time is true, but nobody publishes it. Start what does, or start "
+    "this node with publish_clock, or with /use_sim_time false";
+
 }  // namespace
 
 Diagnostics::Diagnostics(ros::NodeHandle& node, ros::NodeHandle& node_private,
-                         const NodeParameters& parameters, const SimulationThread& simulation,
-                         const Frames& frames, const Topics& topics, const ClockPublisher& clock)
+                         const NodeParameters& parameters, const Diagnosed& diagnosed)
     : wanted_factor_(parameters.real_time_factor),
-      simulation_(simulation),
-      frames_(frames),
-      topics_(topics),
-      clock_(clock),
+      of_(diagnosed),
       updater_(node, node_private, node_private.getNamespace()) {
   updater_.setHardwareID("none");
   updater_.add("solver", this, &Diagnostics::solver);
   updater_.add("real time", this, &Diagnostics::speed);
   updater_.add("topics", this, &Diagnostics::topics);
   updater_.add("followed frames", this, &Diagnostics::followers);
-  if (clock_.wanted()) updater_.add("clock", this, &Diagnostics::clock);
+  updater_.add("checkpoints", this, &Diagnostics::checkpoints);
+  if (of_.clock.wanted() || ros::Time::isSimTime())
+    updater_.add("clock", this, &Diagnostics::clock);
   timer_ =
       node_private.createWallTimer(ros::WallDuration(parameters.diagnostic_period),
                                    [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
 
 void Diagnostics::solver(Status& status) {
-  const Snapshot now = simulation_.snapshot();
+  const Snapshot now = of_.simulation.snapshot();
   const StepReport& report = now.report;
   const std::uint64_t limited = now.speed_limited - speed_limited_;
   speed_limited_ = now.speed_limited;
@@ -79,7 +81,7 @@ void Diagnostics::solver(Status& status) {
 }
 
 void Diagnostics::speed(Status& status) {
-  const Snapshot now = simulation_.snapshot();
+  const Snapshot now = of_.simulation.snapshot();
   const bool watched = !now.paused && wanted_factor_ > 0.0 && now.report.frame > 1;
   if (watched && now.real_time_factor < kKeepsUp * wanted_factor_) {
     status.summary(Level::WARN, "slower than wanted: real-time factor " +
@@ -100,7 +102,7 @@ void Diagnostics::speed(Status& status) {
 
 void Diagnostics::topics(Status& status) {
   status.summary(Level::OK, "nothing is built while nobody subscribes");
-  for (const TopicLoad& load : topics_.loads()) {
+  for (const TopicLoad& load : of_.topics.loads()) {
     status.add(load.name + " subscribers", load.subscribers);
     status.add(load.name + " messages", load.messages);
     status.add(load.name + " bytes", load.bytes);
@@ -108,17 +110,35 @@ void Diagnostics::topics(Status& status) {
 }
 
 void Diagnostics::followers(Status& status) {
-  const std::vector<std::string> lost = frames_.lost();
+  const std::vector<std::string> lost = of_.frames.lost();
   status.summary(Level::OK, "none missing");
   if (!lost.empty()) status.summary(Level::WARN, joined(lost));
 }
 
 void Diagnostics::clock(Status& status) {
-  const std::string other = clock_.conflict();
-  status.summary(Level::OK, "this node publishes /clock");
+  const std::string other = of_.clock.conflict();
+  const bool missed = ros::Time::isSimTime() && !ros::Time::isValid();
+  status.summary(Level::OK, of_.clock.wanted() ? "this node publishes /clock" : "follows /clock");
   if (!other.empty()) {
     status.summary(Level::ERROR, other + " publishes /clock already; this node stays silent");
+  } else if (missed) {
+    status.summary(Level::WARN, kClockMissed);
+    if (!clock_missed_) ROS_WARN("%s", kClockMissed);
   }
+  clock_missed_ = missed;
+}
+
+void Diagnostics::checkpoints(Status& status) {
+  const Checkpoints::Status now = of_.checkpoints.status();
+  status.summary(Level::OK, now.latest.empty() ? "none yet" : "latest: " + now.latest);
+  if (!now.broken.empty()) {
+    const std::string start = now.resumed.empty() ? "the scene started instead"
+                                                  : "resumed from " + now.resumed + " instead";
+    status.summary(Level::WARN, start + ": " + joined(now.broken));
+  }
+  if (!now.problem.empty()) status.summary(Level::ERROR, "nothing was saved: " + now.problem);
+  status.add("folder", now.folder);
+  status.add("saved since the start", now.saved);
 }
 
 }  // namespace ice_ice_baby

@@ -3,6 +3,7 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 
+#include "checkpoints.h"
 #include "clock_publisher.h"
 #include "frames.h"
 #include "parameters.h"
@@ -11,12 +12,20 @@
 
 namespace ice_ice_baby {
 
+/// What there is to tell of.
+struct Diagnosed {
+  const SimulationThread& simulation;
+  const Frames& frames;
+  const Topics& topics;
+  const ClockPublisher& clock;
+  const Checkpoints& checkpoints;
+};
+
 class Diagnostics {
  public:
   /// @param name of the node @param node, node_private whose queue runs the timer
   Diagnostics(ros::NodeHandle& node, ros::NodeHandle& node_private,
-              const NodeParameters& parameters, const SimulationThread& simulation,
-              const Frames& frames, const Topics& topics, const ClockPublisher& clock);
+              const NodeParameters& parameters, const Diagnosed& diagnosed);
 
  private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
@@ -26,16 +35,15 @@ class Diagnostics {
   void topics(Status& status);
   void followers(Status& status);
   void clock(Status& status);
+  void checkpoints(Status& status);
 
   const double wanted_factor_;
-  const SimulationThread& simulation_;
-  const Frames& frames_;
-  const Topics& topics_;
-  const ClockPublisher& clock_;
+  const Diagnosed of_;
   diagnostic_updater::Updater updater_;
   std::uint64_t speed_limited_ = 0;
   std::uint64_t correction_limited_ = 0;
   std::uint64_t refused_ = 0;
+  bool clock_missed_ = false;
   ros::WallTimer timer_;
 };
 

@@ -33,6 +33,9 @@ struct NodeParameters {
   double state_rate_hz = 10.0;
   double diagnostic_period = 1.0;
   bool publish_clock = false;
+  std::string checkpoint_folder;
+  double autosave_s = 0.0;
+  bool resume = false;
   std::vector<Override> overrides;  ///< tree `~overrides`: keys of a scene file, over every scene
 };
 
@@ -69,6 +72,14 @@ void describe(NodeParameters& p, Visitor&& visit) {
         "seconds between two messages on /diagnostics");
   visit("publish_clock", p.publish_clock,
         "whether simulated time is published on /clock; refused while another node does");
+  visit(
+      "checkpoint_folder", p.checkpoint_folder,
+      "where save and load keep checkpoints, and nowhere else; \"\": ~/.ros/ice_ice_baby/ and the "
+      "name of the node");
+  visit("autosave_s", p.autosave_s, Range{0.0, 86400.0},
+        "wall time between two checkpoints by itself, of which two are kept; 0: none");
+  visit("resume", p.resume,
+        "whether to start from the newest whole checkpoint in that folder, where there is one");
 }
 
 /// Reads the tree of private parameters.

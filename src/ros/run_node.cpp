@@ -12,6 +12,7 @@
 #include <string>
 
 #include "simulation_node.h"
+#include "successor.h"
 
 namespace ice_ice_baby {
 
@@ -19,6 +20,8 @@ namespace {
 
 /// A frame longer than this does not hold up the end of the process.
 constexpr double kPatience_s = 1.0;
+/// Nor does a master that accepts connections and never answers, in which roscpp would wait.
+constexpr unsigned kLongestEnd_s = 3;
 
 constexpr const char* kUsage =
     "Usage: rosrun ice_ice_baby simulation_node [_parameter:=value ...]\n"
@@ -27,7 +30,32 @@ constexpr const char* kUsage =
 /// ros::init may wait for the master, and until ros::start nothing listens to signals.
 void endAtOnce(int) { _exit(EXIT_SUCCESS); }
 
-void endInOrder(int) { ros::requestShutdown(); }
+void endInOrder(int) {
+  alarm(kLongestEnd_s);
+  ros::requestShutdown();
+}
+
+void endTooLate(int) {
+  constexpr char kWhy[] = "The ROS master does not answer; ending without taking leave of it\n";
+  if (write(STDERR_FILENO, kWhy, sizeof kWhy - 1) < 0) _exit(EXIT_FAILURE);
+  _exit(EXIT_SUCCESS);
+}
+
+void listenToSignals() {
+  std::signal(SIGALRM, endTooLate);
+  std::signal(SIGINT, endInOrder);
+  std::signal(SIGTERM, endInOrder);
+}
+
+/// Ends the process in order; does not return where a frame is under way for long.
+int end(std::unique_ptr<SimulationNode> node, int code) {
+  alarm(kLongestEnd_s);
+  const bool ended = node->stop(kPatience_s);
+  std::fflush(nullptr);
+  if (!ended) std::_Exit(code);  // the frame has nothing left to save
+  node.reset();
+  return code;
+}
 
 }  // namespace
 
@@ -49,8 +77,9 @@ int runNode(int argc, char** argv) {
     return EXIT_FAILURE;
   }
   ros::start();  // takes over SIGINT, and waits for the master
-  std::signal(SIGTERM, endInOrder);
+  listenToSignals();
   if (!ros::ok()) return EXIT_SUCCESS;
+  const Successor successor;
   std::unique_ptr<SimulationNode> node;
   try {
     node = std::make_unique<SimulationNode>(ros::NodeHandle(), ros::NodeHandle("~"));
@@ -59,9 +88,7 @@ int runNode(int argc, char** argv) {
     return EXIT_FAILURE;
   }
   ros::waitForShutdown();
-  if (node->stop(kPatience_s)) return EXIT_SUCCESS;
-  std::fflush(nullptr);
-  std::_Exit(EXIT_SUCCESS);  // a frame that is still under way has nothing left to save
+  return end(std::move(node), successor.registered() ? EXIT_FAILURE : EXIT_SUCCESS);
 }
 
 }  // namespace ice_ice_baby

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answer.h"
 #include "geometry.h"
 #include "ice_ice_baby/errors.h"
 #include "requests.h"
@@ -11,19 +12,6 @@
 namespace ice_ice_baby {
 
 namespace {
-
-/// Runs `work` and answers with what it returns, or with why it was refused.
-template <class Response, class Work>
-bool answer(Response& response, const Work& work) {
-  try {
-    response.message = work();
-    response.success = true;
-  } catch (const std::exception& e) {
-    response.message = e.what();
-    response.success = false;
-  }
-  return true;
-}
 
 /// What a temperature is set of, in words.
 std::string targetText(const Scene& scene, const std::string& target) {
@@ -45,8 +33,7 @@ Services::Services(ros::NodeHandle& node, const NodeParameters& parameters,
       simulation_(simulation),
       frames_(frames),
       topics_(topics),
-      clock_(clock),
-      scene_(parameters.scene) {
+      clock_(clock) {
   servers_ = {node.advertiseService("get_state", &Services::getState, this),
               node.advertiseService("set_temperature", &Services::setTemperature, this),
               node.advertiseService("heat_region", &Services::heatRegion, this),
@@ -67,7 +54,7 @@ bool Services::setTemperature(SetTemperature::Request& request,
                               SetTemperature::Response& response) {
   response.temperature = simulation_.snapshot().report.temperature_c;
   return answer(response, [&] {
-    const std::string what = targetText(*simulation_.comingScene(), request.target);
+    const std::string what = targetText(simulation_.comingScene()->scene, request.target);
     simulation_.setTemperature(request.temperature, request.ramp_s, request.target);
     const bool at_once = request.ramp_s == 0.0 && request.target.empty();
     if (at_once) response.temperature = request.temperature;
@@ -100,16 +87,25 @@ bool Services::reset(Reset::Request& request, Reset::Response& response) {
   const std::lock_guard<std::mutex> lock(reset_mutex_);
   response.particles = static_cast<std::uint32_t>(simulation_.snapshot().report.particles);
   return answer(response, [&] {
-    if (!request.scene.empty()) requireSceneName(request.scene);
-    const std::string name = request.scene.empty() ? scene_ : request.scene;
-    const std::string preset = request.preset.empty() ? parameters_.preset : request.preset;
-    const Scene scene = loadScene(name, overridesFor(parameters_, preset));
-    simulation_.reset(scene);
-    frames_.prepare(scene);  // only now: a refused reset leaves the running scene its tf
-    scene_ = name;
-    response.particles = static_cast<std::uint32_t>(particleCount(scene));
-    return "scene " + scene.name + " from the start";
+    const ServedScene served = sceneFor(request);
+    simulation_.reset(served);
+    frames_.listenFor(served.scene);  // only now: a refused reset leaves the running scene its tf
+    response.particles = static_cast<std::uint32_t>(particleCount(served.scene));
+    return "scene " + served.scene.name + " from the start";
   });
+}
+
+ServedScene Services::sceneFor(const Reset::Request& request) const {
+  if (!request.scene.empty()) requireSceneName(request.scene);
+  const auto coming = simulation_.comingScene();
+  const std::string name = request.scene.empty() ? coming->source : request.scene;
+  if (name.empty() && request.preset.empty()) return *coming;
+  if (name.empty()) {
+    throw InvalidInput("preset = \"" + shortened(request.preset) +
+                       "\" needs the name of a scene: the one that runs came from a checkpoint");
+  }
+  const std::string preset = request.preset.empty() ? parameters_.preset : request.preset;
+  return {loadScene(name, overridesFor(parameters_, preset)), name};
 }
 
 bool Services::step(Step::Request& request, Step::Response& response) {

@@ -41,14 +41,15 @@ class Services {
   bool pause(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool resume(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool getState(GetState::Request& request, GetState::Response& response);
+  /// The scene that a reset asks for. @throws InvalidInput for one that there is not
+  ServedScene sceneFor(const Reset::Request& request) const;
 
   const NodeParameters parameters_;
   SimulationThread& simulation_;
   Frames& frames_;
   const Topics& topics_;
   const ClockPublisher& clock_;
-  std::mutex reset_mutex_;  ///< one reset at a time; guards scene_
-  std::string scene_;       ///< name or path of the scene that runs
+  std::mutex reset_mutex_;  ///< one reset at a time
   std::vector<ros::ServiceServer> servers_;
 };
 

@@ -17,24 +17,58 @@ NodeParameters parametersOf(const ros::NodeHandle& node) {
   return readParameters(tree);
 }
 
+CheckpointFolder folderOf(const NodeParameters& parameters, const std::string& node) {
+  const std::string& path = parameters.checkpoint_folder;
+  return CheckpointFolder(path.empty() ? defaultCheckpointFolder(node) : path);
+}
+
+Resumption resumptionOf(const NodeParameters& parameters, const CheckpointFolder& folder) {
+  if (!parameters.resume) return {};
+  Resumption resumed = resumeFrom(folder, parameters.threads);
+  for (const std::string& line : resumed.broken) ROS_ERROR("Cannot resume: %s", line.c_str());
+  return resumed;
+}
+
+/// The scene of `~scene` is read in any case, so that a mistake in it never hides.
+ServedScene sceneOf(const NodeParameters& parameters, const Resumption& resumed) {
+  const Scene scene = loadScene(parameters.scene, overridesFor(parameters, parameters.preset));
+  if (resumed.simulation) return resumed.simulation->scene();
+  return {scene, parameters.scene};
+}
+
 }  // namespace
 
 SimulationNode::SimulationNode(const ros::NodeHandle& node, const ros::NodeHandle& node_private)
     : node_(served(node, queue_)),
       private_(served(node_private, queue_)),
       parameters_(parametersOf(private_)),
-      scene_(loadScene(parameters_.scene, overridesFor(parameters_, parameters_.preset))),
+      folder_(folderOf(parameters_, private_.getNamespace())),
+      resumed_(resumptionOf(parameters_, folder_)),
+      scene_(sceneOf(parameters_, resumed_)),
       clock_(node_, parameters_.publish_clock),
-      frames_(node_, parameters_, scene_),
+      frames_(node_, parameters_, scene_.scene),
       topics_(private_, parameters_),
-      simulation_(scene_, runOptions(), hooks()),
+      simulation_(scene_, runOptions(), hooks(), std::move(resumed_.simulation)),
       services_(private_, parameters_, simulation_, frames_, topics_, clock_),
-      diagnostics_(node_, private_, parameters_, simulation_, frames_, topics_, clock_),
+      checkpoints_(private_, parameters_, folder_, resumed_, simulation_, frames_),
+      diagnostics_(node_, private_, parameters_,
+                   {simulation_, frames_, topics_, clock_, checkpoints_}),
       spinner_(2, &queue_),
-      watch_(services_.names(), [this] { clock_.checkConflict(); }) {
+      watch_(serviceNames(), [this] {
+        clock_.checkConflict();
+        frames_.listenLess(simulation_.comingScene()->scene);
+      }) {
   spinner_.start();
-  ROS_INFO("Scene %s with %zu particles is served under %s", scene_.name.c_str(),
-           simulation_.snapshot().report.particles, private_.getNamespace().c_str());
+  const std::string from = resumed_.name.empty() ? "" : ", resumed from " + resumed_.name;
+  const StepReport report = simulation_.snapshot().report;
+  ROS_INFO("Scene %s with %zu particles is served under %s%s", scene_.scene.name.c_str(),
+           report.particles, private_.getNamespace().c_str(), from.c_str());
+}
+
+std::vector<std::string> SimulationNode::serviceNames() const {
+  std::vector<std::string> names = services_.names();
+  for (const std::string& name : checkpoints_.names()) names.push_back(name);
+  return names;
 }
 
 RunOptions SimulationNode::runOptions() const {

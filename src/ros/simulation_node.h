@@ -5,6 +5,7 @@
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
 
+#include "checkpoints.h"
 #include "clock_publisher.h"
 #include "diagnostics.h"
 #include "frames.h"
@@ -28,17 +29,21 @@ class SimulationNode {
  private:
   RunOptions runOptions() const;
   RunHooks hooks();
+  std::vector<std::string> serviceNames() const;
 
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   ros::NodeHandle private_;
   const NodeParameters parameters_;
-  const Scene scene_;
+  const CheckpointFolder folder_;
+  Resumption resumed_;
+  const ServedScene scene_;
   ClockPublisher clock_;
   Frames frames_;
   Topics topics_;
   SimulationThread simulation_;
   Services services_;
+  Checkpoints checkpoints_;
   Diagnostics diagnostics_;
   ros::AsyncSpinner spinner_;
   MasterWatch watch_;

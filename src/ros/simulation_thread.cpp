@@ -21,14 +21,16 @@ double frameTime_s(const Simulation& simulation) {
 
 }  // namespace
 
-SimulationThread::SimulationThread(const Scene& scene, const RunOptions& options, RunHooks hooks)
+SimulationThread::SimulationThread(const ServedScene& scene, const RunOptions& options,
+                                   RunHooks hooks, std::unique_ptr<Simulation> loaded)
     : options_(options),
       hooks_(std::move(hooks)),
       pause_wanted_(options.start_paused),
       pacer_(0.0, options.ros_time) {
   latest_.paused = options.start_paused;
-  coming_scene_ = std::make_shared<const Scene>(scene);
-  build(coming_scene_);
+  coming_scene_ = std::make_shared<const ServedScene>(scene);
+  if (!loaded) loaded = makeSimulation(scene.scene, options.precision, options.threads);
+  install(std::move(loaded), coming_scene_);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -39,54 +41,65 @@ SimulationThread::~SimulationThread() {
 
 void SimulationThread::setTemperature(double celsius, double ramp_s, const std::string& target) {
   requireTemperature(celsius, ramp_s);
-  requireTarget(*comingScene(), target);
-  post([=] { simulation_->setTemperature(celsius, ramp_s, target); });
+  requireTarget(comingScene()->scene, target);
+  post(Kind::kChange, [=] { simulation_->setTemperature(celsius, ramp_s, target); });
 }
 
 void SimulationThread::heatRegion(const HeatRegion& region) {
-  requireHeatRegion(*comingScene(), region);
-  post([=] { simulation_->heatRegion(region); });
+  requireHeatRegion(comingScene()->scene, region);
+  post(Kind::kChange, [=] { simulation_->heatRegion(region); });
 }
 
 void SimulationThread::setGravity(const Vec3d& gravity_m_s2) {
   requireGravity(gravity_m_s2);
-  post([=] { simulation_->setGravity(gravity_m_s2); });
+  post(Kind::kChange, [=] { simulation_->setGravity(gravity_m_s2); });
 }
 
-void SimulationThread::reset(const Scene& scene) {
-  const auto coming = std::make_shared<const Scene>(scene);
+void SimulationThread::reset(const ServedScene& scene) {
+  const auto coming = std::make_shared<const ServedScene>(scene);
   const auto begin = [this, coming] {
     steps_left_ = 0;
     try {
-      build(coming);
+      install(makeSimulation(coming->scene, options_.precision, options_.threads), coming);
     } catch (...) {
       forgetComing(coming);
       throw;
     }
     hooks_.started(*simulation_);
   };
-  post(begin, coming);
+  post(Kind::kChange, begin, coming);
+}
+
+void SimulationThread::load(std::unique_ptr<Simulation> simulation) {
+  const auto coming = std::make_shared<const ServedScene>(simulation->scene());
+  const auto loaded = std::make_shared<std::unique_ptr<Simulation>>(std::move(simulation));
+  const auto begin = [this, coming, loaded] {
+    steps_left_ = 0;
+    install(std::move(*loaded), coming);
+    hooks_.started(*simulation_);
+  };
+  post(Kind::kChange, begin, coming);
+}
+
+void SimulationThread::inspect(std::function<void(const Simulation&)> look) {
+  post(Kind::kLook, [this, look = std::move(look)] { look(*simulation_); });
 }
 
 void SimulationThread::pause() {
-  post([this] {
+  postPause(true, [this] {
     latest_.paused = true;
     steps_left_ = 0;
     real_time_factor_.clear();
   });
-  const std::lock_guard<std::mutex> lock(mutex_);
-  pause_wanted_ = true;
 }
 
 void SimulationThread::resume() {
-  post([this] {
+  postPause(false, [this] {
     latest_.paused = false;
     latest_.failure.clear();
     steps_left_ = 0;
     pacer_.restart();
   });
-  const std::lock_guard<std::mutex> lock(mutex_);
-  pause_wanted_ = false;
 }
 
 void SimulationThread::step(std::uint32_t frames) {
@@ -95,7 +108,7 @@ void SimulationThread::step(std::uint32_t frames) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!pause_wanted_) throw InvalidInput("step works only while paused; call pause first");
   }
-  post([=] {
+  post(Kind::kChange, [=] {
     const double total = double(steps_left_) + frames;
     steps_left_ = static_cast<std::uint32_t>(std::min(total, kMaxSteps));
   });
@@ -106,7 +119,7 @@ Snapshot SimulationThread::snapshot() const {
   return snapshot_;
 }
 
-std::shared_ptr<const Scene> SimulationThread::comingScene() const {
+std::shared_ptr<const ServedScene> SimulationThread::comingScene() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return coming_scene_;
 }
@@ -119,31 +132,42 @@ bool SimulationThread::stop(double patience_s) {
                            [this] { return ended_; });
 }
 
-void SimulationThread::post(Command command, std::shared_ptr<const Scene> coming) {
+void SimulationThread::post(Kind kind, std::function<void()> apply,
+                            std::shared_ptr<const ServedScene> coming) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (commands_.size() >= kMaxCommands) {
     throw InvalidInput(std::to_string(kMaxCommands) +
                        " commands wait for the frame under way to end; try again later");
   }
-  commands_.push_back(std::move(command));
+  commands_.push_back({kind, std::move(apply)});
   if (coming) coming_scene_ = std::move(coming);
   changed_.notify_all();
 }
 
-/// Replaces the simulation; whatever throws leaves the old one in place.
-void SimulationThread::build(const std::shared_ptr<const Scene>& scene) {
-  simulation_ = makeSimulation(*scene, options_.precision, options_.threads);
-  scene_ = scene;
+void SimulationThread::postPause(bool wanted, std::function<void()> apply) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!commands_.empty() && commands_.back().kind == Kind::kPause) commands_.pop_back();
+  commands_.push_back({Kind::kPause, std::move(apply)});
+  pause_wanted_ = wanted;
+  changed_.notify_all();
+}
+
+void SimulationThread::install(std::unique_ptr<Simulation> simulation,
+                               std::shared_ptr<const ServedScene> scene) {
+  simulation_ = std::move(simulation);
+  scene_ = std::move(scene);
   latest_.failure.clear();
+  latest_.state_hash = 0;
   latest_.colliders.clear();
-  forEachCollider(*scene, [this](const Collider& c) { latest_.colliders.push_back(c.name); });
+  forEachCollider(simulation_->scene(),
+                  [this](const Collider& c) { latest_.colliders.push_back(c.name); });
   const bool paced = options_.real_time_factor > 0.0;
   pacer_.setInterval(paced ? frameTime_s(*simulation_) / options_.real_time_factor : 0.0);
   pacer_.restart();
   updateSnapshot();
 }
 
-void SimulationThread::forgetComing(const std::shared_ptr<const Scene>& failed) {
+void SimulationThread::forgetComing(const std::shared_ptr<const ServedScene>& failed) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (coming_scene_ == failed) coming_scene_ = scene_;
 }
@@ -154,6 +178,7 @@ void SimulationThread::run() {
     applyCommands();
     const bool ran = runFrameIfDue();
     const bool settled = latest_.paused && steps_left_ == 0;
+    if (settled) hashState();
     hooks_.tick(*simulation_, latest_, settled && ran);
     std::unique_lock<std::mutex> lock(mutex_);
     changed_.wait_for(lock, std::chrono::duration<double>(waitTime_s()),
@@ -173,7 +198,10 @@ void SimulationThread::applyCommands() {
   }
   for (const Command& command : commands) {
     try {
-      command();
+      command.apply();
+      if (command.kind == Kind::kLook) continue;
+      latest_.changes += 1;
+      latest_.state_hash = 0;
     } catch (const std::exception& e) {
       latest_.refused += 1;
       latest_.refusal = e.what();
@@ -198,6 +226,8 @@ bool SimulationThread::runFrameIfDue() {
 
 /// A frame that throws, as when memory runs out, pauses the simulation instead of ending the node.
 void SimulationThread::runFrame() {
+  latest_.state_hash = 0;
+  latest_.changes += 1;
   try {
     hooks_.before_frame(*simulation_);
     const StepReport& report = simulation_->advanceFrame();
@@ -219,7 +249,7 @@ void SimulationThread::updateSnapshot() {
   latest_.stages = simulation_->stages();
   latest_.scene = scene.name;
   latest_.preset = scene.preset;
-  latest_.precision = options_.precision;
+  latest_.precision = simulation_->precision();
   latest_.heat = scene.heat.enabled;
   latest_.heat_speedup_wanted = scene.heat.speedup;
   latest_.gravity_m_s2 = scene.gravity_m_s2;
@@ -227,6 +257,13 @@ void SimulationThread::updateSnapshot() {
   const std::lock_guard<std::mutex> lock(mutex_);
   snapshot_ = latest_;
   if (!latest_.failure.empty()) pause_wanted_ = true;
+}
+
+/// Once for each state in which the simulation stands.
+void SimulationThread::hashState() {
+  if (latest_.state_hash != 0) return;
+  latest_.state_hash = simulation_->stateHash();
+  updateSnapshot();
 }
 
 double SimulationThread::waitTime_s() {

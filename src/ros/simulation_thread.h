@@ -32,8 +32,19 @@ struct Snapshot {
   std::uint64_t speed_limited = 0;       ///< the same, particles that the speed limit slowed
   std::uint64_t correction_limited = 0;  ///< the same, corrections that were cut
   std::string failure;                   ///< why frames stopped, "" while all is well
+  std::uint64_t state_hash = 0;          ///< Simulation::stateHash while paused, 0 while it runs
+  std::uint64_t changes = 0;             ///< frames and commands since the node started
   std::uint64_t refused = 0;             ///< commands that came to nothing after they were accepted
   std::string refusal;                   ///< why the latest of them did
+};
+
+/// A scene and where it came from.
+struct ServedScene {
+  ServedScene(Scene from, std::string name = "")
+      : scene(std::move(from)), source(std::move(name)) {}
+
+  Scene scene;
+  std::string source;  ///< what loadScene was given, "" for the scene of a checkpoint
 };
 
 /// How the thread runs.
@@ -61,18 +72,25 @@ struct RunHooks {
 class SimulationThread {
  public:
   /// Builds the simulation at once and starts the thread.
+  /// @param loaded goes on with this one of `scene`, unless null
   /// @throws InvalidInput for a scene or a number of threads that cannot run
-  SimulationThread(const Scene& scene, const RunOptions& options, RunHooks hooks);
+  SimulationThread(const ServedScene& scene, const RunOptions& options, RunHooks hooks,
+                   std::unique_ptr<Simulation> loaded = nullptr);
   /// Waits for the frame that is under way.
   ~SimulationThread();
 
-  /// Each throws InvalidInput for a bad value, or when 1000 commands wait already.
+  /// Each throws InvalidInput for a bad value, or when 1000 commands wait already; but pause and
+  /// resume always work.
   /// @param target as Simulation::setTemperature has it
   void setTemperature(double celsius, double ramp_s, const std::string& target = "");
   void heatRegion(const HeatRegion& region);
   void setGravity(const Vec3d& gravity_m_s2);
   /// @param scene as loadScene gave it, so already valid
-  void reset(const Scene& scene);
+  void reset(const ServedScene& scene);
+  /// Goes on with `simulation` in place of the one that runs.
+  void load(std::unique_ptr<Simulation> simulation);
+  /// Calls `look` between two frames, from the simulation's thread.
+  void inspect(std::function<void(const Simulation&)> look);
   void pause();
   void resume();
   /// Runs frames while paused, as fast as the machine can. @throws InvalidInput unless paused, and
@@ -82,24 +100,33 @@ class SimulationThread {
   Snapshot snapshot() const;
 
   /// The scene that a command meets which is given now: the latest that was asked for.
-  std::shared_ptr<const Scene> comingScene() const;
+  std::shared_ptr<const ServedScene> comingScene() const;
 
   /// Asks the thread to end. @returns whether it did within `patience_s`
   bool stop(double patience_s);
 
  private:
-  using Command = std::function<void()>;
+  /// What a command does. Of several kPause in a row only the last counts, so that pause and
+  /// resume find room on a queue however full.
+  enum class Kind { kChange, kLook, kPause };
+  struct Command {
+    Kind kind;
+    std::function<void()> apply;
+  };
 
   /// @param coming the scene that stands after the command, null: the same as before
-  void post(Command command, std::shared_ptr<const Scene> coming = nullptr);
+  void post(Kind kind, std::function<void()> apply,
+            std::shared_ptr<const ServedScene> coming = nullptr);
+  void postPause(bool wanted, std::function<void()> apply);
   void run();
-  void build(const std::shared_ptr<const Scene>& scene);
+  void install(std::unique_ptr<Simulation> simulation, std::shared_ptr<const ServedScene> scene);
   /// After a reset to `failed`: unless another waits, commands meet the scene that runs.
-  void forgetComing(const std::shared_ptr<const Scene>& failed);
+  void forgetComing(const std::shared_ptr<const ServedScene>& failed);
   void applyCommands();
   bool runFrameIfDue();
   void runFrame();
   void updateSnapshot();
+  void hashState();
   double waitTime_s();
 
   const RunOptions options_;
@@ -111,10 +138,10 @@ class SimulationThread {
   bool pause_wanted_;
   bool stopping_ = false;
   bool ended_ = false;
-  std::shared_ptr<const Scene> coming_scene_;
+  std::shared_ptr<const ServedScene> coming_scene_;
   Snapshot snapshot_;
 
-  std::shared_ptr<const Scene> scene_;  ///< that runs; from here on: the thread's own
+  std::shared_ptr<const ServedScene> scene_;  ///< that runs; from here on: the thread's own
   std::unique_ptr<Simulation> simulation_;
   Snapshot latest_;
   Pacer pacer_;

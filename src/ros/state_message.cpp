@@ -24,6 +24,7 @@ State stateMessage(const Snapshot& snapshot, const std_msgs::Header& header) {
   state.frame = report.frame;
   state.time_s = report.time_s;
   state.paused = snapshot.paused;
+  state.state_hash = snapshot.state_hash;
   state.asleep = report.asleep;
   state.substeps = static_cast<std::uint32_t>(report.substeps);
   state.particles = static_cast<std::uint32_t>(report.particles);

@@ -21,8 +21,11 @@ TOPICS = ['particles', 'springs', 'colliders', 'state']
 
 
 class Bag(unittest.TestCase):
-    def setUp(self):
+    @classmethod
+    def setUpClass(cls):
         rospy.init_node('bag_test')
+
+    def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.path = os.path.join(self.folder.name, 'scene.bag')
 
@@ -31,6 +34,7 @@ class Bag(unittest.TestCase):
 
     def record(self):
         node = Node()
+        node.start()
         recorder = subprocess.Popen(['rosrun', 'rosbag', 'record', '-O', self.path, '/tf',
                                      '/tf_static'] + ['/sim/' + topic for topic in TOPICS])
         try:
@@ -64,6 +68,27 @@ class Bag(unittest.TestCase):
             self.assertGreater(len(clouds.messages), 10)
             self.assertEqual(clouds.messages[-1].width, 216)
             self.assertTrue(colliders.messages)
+
+    def test_a_full_disk_ends_the_recording_and_nothing_else(self):
+        if subprocess.run(['unshare', '-m', 'true'], check=False, capture_output=True).returncode:
+            self.skipTest('needs the right to mount a small disk')
+        node = Node()
+        mount = 'mount -t tmpfs -o size=300k tmpfs %s; exec "$0" "$@"' % self.folder.name
+        recorder = subprocess.Popen(['timeout', '20', 'unshare', '-m', 'sh', '-c', mount, 'rosrun',
+                                     'rosbag', 'record', '-O', self.path, '/sim/particles'],
+                                    text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        with recorder:
+            said = ''
+            while 'Disabling recording' not in said:  # what the user is told, by rosbag
+                line = recorder.stdout.readline()
+                self.assertTrue(line, said)
+                said += line
+            frame = node.state().frame
+            node.resume()
+            node.when(lambda s: s.frame > frame + 30, 'frames without a recorder')
+            recorder.terminate()
+        node.pause()
+        self.assertEqual(node.diagnostic('solver', lambda s: True).level, 0)
 
 
 if __name__ == '__main__':

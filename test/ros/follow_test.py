@@ -1,11 +1,14 @@
 #!/usr/bin/python3
 """A collider follows a tf frame; one whose frame is missing stands still and says so."""
+import math
 import os
 import sys
+import time
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
+import rosgraph
 import rospy
 from geometry_msgs.msg import TransformStamped
 from tf2_msgs.msg import TFMessage
@@ -23,14 +26,14 @@ class Follow(unittest.TestCase):
         cls.node = Node()
         cls.tf = rospy.Publisher('/tf', TFMessage, queue_size=10)
 
-    def put_hand(self, x):
-        """Publishes where the frame `hand` is, in the world."""
+    def put_hand(self, x, w=1.0):
+        """Publishes where the frame `hand` is, in the world; w is of its rotation."""
         hand = TransformStamped()
         hand.header.stamp = rospy.Time.now()
         hand.header.frame_id = 'world'
         hand.child_frame_id = 'hand'
         hand.transform.translation.x = x
-        hand.transform.rotation.w = 1.0
+        hand.transform.rotation.w = w
         self.tf.publish(TFMessage([hand]))
 
     def test_1_missing_frame_is_a_warning(self):
@@ -62,6 +65,35 @@ class Follow(unittest.TestCase):
         self.put_hand(1e7)
         status = self.node.diagnostic('followed frames', lambda s: s.level == 1)
         self.assertIn('outside', status.message)
+
+    def test_4_a_transform_that_tf_drops_is_a_warning(self):
+        for x, w, why in ((math.nan, 1.0, 'its translation is not finite'),
+                          (0.1, 2.0, 'its rotation has the length 2'),
+                          (0.1, math.nan, 'its rotation is not finite')):
+            self.put_hand(x, w)
+            status = self.node.diagnostic('followed frames', lambda s: why in s.message)
+            self.assertEqual(status.level, 1)
+            self.assertIn('tf frame hand cannot be used', status.message)
+            self.assertIn('says ' + rospy.get_name(), status.message)
+            self.put_hand(0.2)
+            self.node.diagnostic('followed frames', lambda s: s.level == 0)
+        self.assertEqual(self.node.state().non_finite, 0)
+
+    def test_5_a_reset_that_fails_keeps_the_listener(self):
+        self.assertFalse(self.node.reset(scene='none', preset='').success)
+        time.sleep(2.5)  # the node looks every 2 s whether anything follows
+        subscribers = dict(rosgraph.Master('/follow_test').getSystemState()[1])
+        self.assertIn('/sim', subscribers['/tf'])
+        self.test_2_follows()
+
+    def test_6_a_scene_without_followers_does_not_listen(self):
+        self.assertTrue(self.node.reset(scene='small', preset='').success)
+
+        def listens():
+            return '/sim' in dict(rosgraph.Master('/follow_test').getSystemState()[1]).get('/tf', [])
+        wait_until(lambda: not listens(), 'the end of listening')
+        self.assertTrue(self.node.reset(scene='followed', preset='').success)
+        wait_until(listens, 'listening')
 
 
 if __name__ == '__main__':

@@ -3,11 +3,13 @@ import time
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
-from ice_ice_baby.srv import ApplyHeat, GetState, Reset, SetGravity, SetTemperature, Step
+from ice_ice_baby.srv import (ApplyHeat, GetState, Load, Reset, Save, SetGravity, SetTemperature,
+                              Step)
 from std_srvs.srv import Trigger
 
-TYPES = {'get_state': GetState, 'heat_region': ApplyHeat, 'reset': Reset, 'set_gravity': SetGravity,
-         'set_temperature': SetTemperature, 'step': Step, 'pause': Trigger, 'resume': Trigger}
+TYPES = {'get_state': GetState, 'heat_region': ApplyHeat, 'load': Load, 'reset': Reset,
+         'save': Save, 'set_gravity': SetGravity, 'set_temperature': SetTemperature, 'step': Step,
+         'pause': Trigger, 'resume': Trigger}
 
 
 def wait_until(condition, what, timeout_s=20.0):
@@ -73,6 +75,10 @@ class Node:
         frame = self.state().frame
         assert self.step(frames=count).success
         return self.when(lambda s: s.frame == frame + count, '%d frames' % count, 60.0)
+
+    def hash(self):
+        """Of the state in which the paused scene stands."""
+        return self.when(lambda s: s.state_hash, 'a hash, so a pause').state_hash
 
     def diagnostic(self, name, condition, timeout_s=10.0):
         """The status of that name, once it fulfils the condition."""

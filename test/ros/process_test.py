@@ -3,83 +3,15 @@
 import os
 import re
 import signal
-import socket
-import subprocess
+import sys
 import time
-import unittest
 
-import yaml
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'scenes')
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
+from processes import Processes
 
 
-class Process(unittest.TestCase):
-    def setUp(self):
-        self.port = free_port()
-        self.env = dict(os.environ, ROS_MASTER_URI='http://127.0.0.1:%d' % self.port,
-                        ROS_IP='127.0.0.1', ICE_ICE_BABY_SCENES=SCENES)
-        self.children = []
-
-    def tearDown(self):
-        for child in self.children:
-            if child.poll() is None:
-                child.kill()
-            child.communicate()
-
-    def start(self, *command):
-        child = subprocess.Popen(command, env=self.env, stdout=subprocess.PIPE,
-                                 stderr=subprocess.STDOUT, text=True)
-        self.children.append(child)
-        return child
-
-    def start_master(self):
-        master = self.start('rosmaster', '--core', '-p', str(self.port))
-        deadline = time.monotonic() + 20
-        while time.monotonic() < deadline:
-            with socket.socket() as probe:
-                if probe.connect_ex(('127.0.0.1', self.port)) == 0:
-                    return master
-            time.sleep(0.05)
-        self.fail('no master')
-
-    def start_node(self, *parameters):
-        return self.start('rosrun', 'ice_ice_baby', 'simulation_node', '__name:=sim',
-                          *('_' + p for p in parameters))
-
-    def run_tool(self, *command):
-        return subprocess.run(command, env=self.env, timeout=20, check=False, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-
-    def state(self, timeout_s=20.0):
-        deadline = time.monotonic() + timeout_s
-        while time.monotonic() < deadline:
-            answer = self.run_tool('rosservice', 'call', '/sim/get_state')
-            if answer.returncode == 0:
-                return yaml.safe_load(answer.stdout)['state']
-            time.sleep(0.2)
-        self.fail('get_state does not answer: ' + answer.stdout)
-
-    def assert_refused(self, parameters, *words):
-        node = self.start_node(*parameters)
-        out, _ = node.communicate(timeout=20)
-        self.assertEqual(node.returncode, 1, out)
-        for word in words:
-            self.assertIn(word, out)
-
-    def assert_ends(self, child, sig, within_s):
-        start = time.monotonic()
-        child.send_signal(sig)
-        out, _ = child.communicate(timeout=30)
-        self.assertEqual(child.returncode, 0, out)
-        self.assertLess(time.monotonic() - start, within_s)
-        return out
-
+class Process(Processes):
     def test_refuses_bad_parameters(self):
         self.start_master()
         self.assert_refused(['scene:=smal'], 'no scene "smal"', 'did you mean small')
@@ -89,6 +21,15 @@ class Process(unittest.TestCase):
         self.run_tool('rosparam', 'delete', '/sim')
         self.assert_refused(['overrides/solver/substeps:=-1', 'scene:=small'], 'solver.substeps',
                             '[0, 1000]')
+        self.run_tool('rosparam', 'delete', '/sim')
+        self.assert_refused(['scene:=small', 'checkpoint_folder:=here'], '~checkpoint_folder',
+                            'absolute path')
+        self.run_tool('rosparam', 'delete', '/sim')
+        self.run_tool('rosparam', 'set', '/sim/overrides/spheres', str(list(range(5000))))
+        self.assert_refused(['scene:=small'], 'spheres')
+        self.run_tool('rosparam', 'delete', '/sim')
+        self.run_tool('rosparam', 'set', '/sim', '[1, 2]')
+        self.assert_refused([], '[1, 2]', 'rosparam delete')
         self.run_tool('rosparam', 'delete', '/sim')
         self.assert_refused(['overrides/solver/substep:=4', 'scene:=small'],
                             'unknown key solver.substep', 'did you mean solver.substeps')
@@ -123,6 +64,31 @@ class Process(unittest.TestCase):
         node = self.start('rosrun', 'ice_ice_baby', 'simulation_node')  # waits to register
         time.sleep(1.5)
         self.assertIn('Failed to contact master', self.assert_ends(node, signal.SIGTERM, 3.0))
+
+    def test_ends_though_the_master_does_not_answer(self):
+        master = self.start_master()
+        for sig in (signal.SIGINT, signal.SIGTERM):
+            node = self.start_node('scene:=small', 'threads:=1')
+            self.state()
+            master.send_signal(signal.SIGSTOP)
+            out = self.assert_ends(node, sig, 8.0)
+            self.assertIn('The ROS master does not answer', out)
+            master.send_signal(signal.SIGCONT)
+
+    def test_the_first_of_two_nodes_of_one_name_says_why_it_ends(self):
+        self.start_master()
+        first = self.start_node('scene:=small', 'threads:=1')
+        self.state()
+        second = self.start_node('scene:=small', 'threads:=1')
+        out, _ = first.communicate(timeout=20)
+        self.assertEqual(first.returncode, 1, out)
+        self.assertIn('Another node has registered as /sim', out)
+        self.assertIn('__name:=', out)
+        self.assertEqual(self.state()['scene'], 'small')  # the second serves
+        self.run_tool('rosnode', 'kill', '/sim')
+        out, _ = second.communicate(timeout=20)
+        self.assertEqual(second.returncode, 0, out)
+        self.assertIn('Asked to shut down', out)
 
     def test_survives_a_restart_of_the_master(self):
         master = self.start_master()

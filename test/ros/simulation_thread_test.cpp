@@ -183,17 +183,102 @@ TEST(SimulationThread, FrameThatFailsPausesInsteadOfEndingTheNode) {
   EXPECT_EQ(thread.snapshot().failure, "");
 }
 
-TEST(SimulationThread, CommandsDoNotPileUpWithoutEnd) {
+/// Holds the simulation thread at its start until released.
+struct Gate {
+  RunHooks hooks() {
+    RunHooks hooks;
+    hooks.started = [this](const Simulation&) {
+      while (held) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    };
+    return hooks;
+  }
+
   std::atomic<bool> held{true};
-  RunHooks hooks;
-  hooks.started = [&](const Simulation&) {
-    while (held) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  };
-  SimulationThread thread(puddle(), paused(), hooks);
+};
+
+TEST(SimulationThread, CommandsDoNotPileUpWithoutEnd) {
+  Gate gate;
+  SimulationThread thread(puddle(), paused(), gate.hooks());
   for (int k = 0; k < 1000; ++k) thread.setTemperature(k % 50, 0.0);
   EXPECT_THROW(thread.setTemperature(1.0, 0.0), InvalidInput);
-  held = false;
+  gate.held = false;
   EXPECT_TRUE(becomes(thread, [](const Snapshot& now) { return now.report.temperature_c == 49; }));
+}
+
+TEST(SimulationThread, PauseAndResumeFindRoomOnAFullQueue) {
+  Gate gate;
+  RunOptions running = paused();
+  running.start_paused = false;
+  SimulationThread thread(puddle(), running, gate.hooks());
+  for (int k = 0; k < 1000; ++k) thread.setTemperature(-5.0, 0.0);
+  EXPECT_THROW(thread.setTemperature(-5.0, 0.0), InvalidInput);
+  for (int k = 0; k < 5000; ++k) {
+    thread.resume();
+    thread.pause();
+  }
+  gate.held = false;
+  ASSERT_TRUE(becomes(thread, [](const Snapshot& now) { return now.paused; }));
+  EXPECT_EQ(thread.snapshot().changes, 1001u);  // those in a row counted as one
+  EXPECT_EQ(thread.snapshot().report.frame, 0u);
+  EXPECT_EQ(thread.snapshot().report.temperature_c, -5.0);
+}
+
+TEST(SimulationThread, ResetThatFailsKeepsWhereTheSceneCameFrom) {
+  SimulationThread thread({puddle(), "puddle"}, paused(), {});
+  Scene impossible = puddle();
+  impossible.limits.max_particles = 1;
+  thread.reset({impossible, "impossible"});
+  ASSERT_TRUE(becomes(thread, [](const Snapshot& now) { return now.refused == 1; }));
+  EXPECT_EQ(thread.comingScene()->source, "puddle");
+  thread.reset({warmPuddle(), "warm"});
+  EXPECT_EQ(thread.comingScene()->source, "warm");
+}
+
+TEST(SimulationThread, TheStateHasAHashWhileItStands) {
+  SimulationThread thread(puddle(), paused(), {});
+  const auto hashed = [](const Snapshot& now) { return now.state_hash != 0; };
+  ASSERT_TRUE(becomes(thread, hashed));
+  const std::uint64_t start = thread.snapshot().state_hash;
+  thread.step(5);
+  ASSERT_TRUE(becomes(
+      thread, [&](const Snapshot& now) { return now.report.frame == 5 && now.state_hash != 0; }));
+  EXPECT_NE(thread.snapshot().state_hash, start);
+  thread.reset(puddle());
+  EXPECT_TRUE(becomes(thread, [&](const Snapshot& now) { return now.state_hash == start; }));
+  thread.resume();
+  EXPECT_TRUE(becomes(
+      thread, [](const Snapshot& now) { return now.report.frame > 0 && now.state_hash == 0; }));
+}
+
+TEST(SimulationThread, GoesOnWithALoadedSimulation) {
+  std::atomic<int> starts{0};
+  RunHooks hooks;
+  hooks.started = [&](const Simulation&) { ++starts; };
+  SimulationThread thread({puddle(), "puddle"}, paused(), hooks);
+  std::unique_ptr<Simulation> other = makeSimulation(warmPuddle(), Precision::kDouble, 1);
+  for (int k = 0; k < 3; ++k) other->advanceFrame();
+  const std::uint64_t hash = other->stateHash();
+  thread.load(std::move(other));
+  EXPECT_EQ(thread.comingScene()->source, "");
+  ASSERT_TRUE(becomes(thread, [&](const Snapshot& now) { return now.state_hash == hash; }));
+  EXPECT_EQ(thread.snapshot().report.frame, 3u);
+  EXPECT_EQ(thread.snapshot().precision, Precision::kDouble);
+  EXPECT_TRUE(thread.snapshot().heat);
+  EXPECT_NO_THROW(thread.setTemperature(-5.0, 0.0, "ground"));
+  EXPECT_TRUE(becomes(thread, [&](const Snapshot& now) {
+    return starts == 2 && now.state_hash != 0 && now.state_hash != hash;
+  }));
+}
+
+TEST(SimulationThread, InspectionSeesAWholeFrameAndChangesNothing) {
+  SimulationThread thread(puddle(), paused(), {});
+  thread.step(2);
+  ASSERT_TRUE(reaches(thread, 2));
+  const std::uint64_t changes = thread.snapshot().changes;
+  std::atomic<std::uint64_t> seen{0};
+  thread.inspect([&](const Simulation& simulation) { seen = simulation.report().frame; });
+  ASSERT_TRUE(becomes(thread, [&](const Snapshot&) { return seen == 2; }));
+  EXPECT_EQ(thread.snapshot().changes, changes);
 }
 
 TEST(SimulationThread, StopDoesNotWaitForALongFrame) {
