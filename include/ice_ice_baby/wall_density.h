@@ -3,8 +3,9 @@
 //
 // A flat wall counts as if the rest lattice went on behind it, its first layer half a spacing deep,
 // so a lattice at rest in a box has exactly the rest density up to the last particle. Where walls
-// of a box meet, what their half spaces share is counted once. A sphere counts by the volume of the
-// kernel that lies inside it.
+// of a box meet, what their half spaces share is counted once. Walls end at the rim of an open
+// container: they fade over a support radius on either side of it, as a half space would. A sphere
+// counts by the volume of the kernel that lies inside it.
 #pragma once
 
 #include <array>
@@ -60,6 +61,9 @@ class WallDensity {
   std::vector<Real> corner() const;
   double ghosts(const std::array<double, 3>& distances, int walls) const;
   WallSample<Real> inBox(const NearWalls<Real>& near) const;
+  WallSample<Real> nearRim(const ContainerShape<Real>& shape, const Vec3<Real>& local) const;
+  void fadeOverWall(const ContainerShape<Real>& shape, const Vec3<Real>& local,
+                    WallSample<Real>& sample) const;
   void addCorner(const std::array<NearWall<Real>, 3>& walls, WallSample<Real>& sample) const;
   void addContainer(const Body<Real, ContainerShape<Real>>& body, const Vec3<Real>& point,
                     WallSample<Real>& sample) const;

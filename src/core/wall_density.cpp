@@ -181,13 +181,61 @@ WallSample<Real> WallDensity<Real>::inBox(const NearWalls<Real>& near) const {
   return sample;
 }
 
+/// The floor, and of the other walls the share of a half space that lies below the rim; both end
+/// where a point over the wall belongs outside. A wall that ended at once would be a step in the
+/// density, which throws whatever crosses it.
+template <class Real>
+WallSample<Real> WallDensity<Real>::nearRim(const ContainerShape<Real>& shape,
+                                            const Vec3<Real>& local) const {
+  const Real above = local.z() - shape.inner.high.z();
+  Vec3<Real> within = local;
+  if (above >= 0) within.z() = shape.inner.high.z() - Real(1e-3) * radius_;
+  NearWalls<Real> near = nearWalls(shape, within, radius_, static_cast<Real>(h_));
+  NearWalls<Real> floor;
+  for (NearWall<Real>& wall : near.walls) {
+    if (&wall == near.end()) break;
+    if (wall.axis != 2) continue;
+    wall.distance += local.z() - within.z();
+    floor.walls[std::size_t(floor.count++)] = wall;
+  }
+  const auto [half, slope] = plane_.at(std::abs(above));
+  const Real whole = 2 * plane_.at(Real(0)).first;
+  const Real share = above < 0 ? 1 - half / whole : half / whole;
+  const WallSample<Real> bottom = inBox(floor), all = inBox(near);
+  WallSample<Real> sample;
+  sample.value = bottom.value + share * (all.value - bottom.value);
+  sample.gradient = bottom.gradient + share * (all.gradient - bottom.gradient);
+  sample.gradient.z() += slope / whole * (all.value - bottom.value);
+  fadeOverWall(shape, local, sample);
+  return sample;
+}
+
+template <class Real>
+void WallDensity<Real>::fadeOverWall(const ContainerShape<Real>& shape, const Vec3<Real>& local,
+                                     WallSample<Real>& sample) const {
+  for (int axis = 0; axis < 2; ++axis) {
+    const Real sign = local[axis] < 0 ? Real(-1) : Real(1);
+    const Real over = sign * local[axis] - shape.inner.high[axis];
+    if (over <= 0) continue;
+    const Real width = shape.middle.high[axis] - shape.inner.high[axis];
+    const Real kept = std::max(Real(0), 1 - over / width);
+    sample.gradient *= kept;
+    sample.gradient[axis] -= sign * sample.value / width;
+    sample.value *= kept;
+  }
+}
+
 template <class Real>
 void WallDensity<Real>::addContainer(const Body<Real, ContainerShape<Real>>& body,
                                      const Vec3<Real>& point, WallSample<Real>& sample) const {
   const Vec3<Real> local = body.motion.to.toLocal(point);
-  const auto near = nearWalls(body.shape, local, radius_, static_cast<Real>(h_));
-  if (near.count == 0) return;
-  const WallSample<Real> box = inBox(near);
+  const Real above_rim = local.z() - body.shape.inner.high.z();
+  const Real h = static_cast<Real>(h_);
+  if (body.shape.open_top && above_rim >= h) return;
+  const bool at_rim = body.shape.open_top && above_rim > -h;
+  const WallSample<Real> box =
+      at_rim ? nearRim(body.shape, local) : inBox(nearWalls(body.shape, local, radius_, h));
+  if (box.value == 0) return;
   sample.value += box.value;
   sample.gradient += body.motion.to.rotation * box.gradient;
 }
