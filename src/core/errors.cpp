@@ -15,7 +15,7 @@ std::string numberText(double value) {
 
 std::string shortened(const std::string& text) {
   constexpr std::size_t kMost = 100;
-  const std::string whole(text.c_str());
+  const std::string whole = text.substr(0, text.find('\0'));
   return whole.size() <= kMost ? whole : whole.substr(0, kMost) + "...";
 }
 

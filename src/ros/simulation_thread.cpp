@@ -25,9 +25,9 @@ SimulationThread::SimulationThread(const Scene& scene, const RunOptions& options
     : options_(options),
       hooks_(std::move(hooks)),
       pause_wanted_(options.start_paused),
+      coming_scene_(std::make_shared<const Scene>(scene)),
       pacer_(0.0, options.ros_time) {
   latest_.paused = options.start_paused;
-  coming_scene_ = std::make_shared<const Scene>(scene);
   build(coming_scene_);
   thread_ = std::thread([this] { run(); });
 }
