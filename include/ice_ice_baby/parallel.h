@@ -26,23 +26,15 @@ void parallelForRanges(std::size_t count, const Body& body, std::size_t grain = 
 }
 
 /// Calls body(i) for every i < count. Each call writes only what belongs to its own i.
+/// @param grain as above
 template <class Body>
-void parallelFor(std::size_t count, const Body& body) {
-  parallelForRanges(count, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i != last; ++i) body(i);
-  });
-}
-
-/// Calls body(i) for every i < count, each as a task of its own.
-template <class Body>
-void parallelTasks(std::size_t count, const Body& body) {
-  ForkJoin order;
-  tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
-    order.beginRange();
-    body(i);
-    order.endRange();
-  });
-  order.join();
+void parallelFor(std::size_t count, const Body& body, std::size_t grain = 256) {
+  parallelForRanges(
+      count,
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i != last; ++i) body(i);
+      },
+      grain);
 }
 
 }  // namespace ice_ice_baby
