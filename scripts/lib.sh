@@ -52,6 +52,17 @@ use_build() {
   set -u
 }
 
+# build_preset NAME TARGET...: configures and builds a preset of CMakePresets.json in build/NAME.
+build_preset() {
+  local preset="$1" launcher=()
+  shift
+  if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+  say "Building preset $preset"
+  cd "$ROOT" || return
+  quietly cmake --preset "$preset" ${launcher[@]+"${launcher[@]}"}
+  quietly cmake --build --preset "$preset" --parallel "$(nproc)" --target "$@"
+}
+
 free_port() {
   local port
   for _ in $(seq 100); do

@@ -186,11 +186,12 @@ void Neighbours<Real>::build(const VectorField<Real>& predicted) {
   ListPages::Round round(pages_);
   std::atomic<std::size_t> next{0};
   std::atomic<bool> coincident{false};
-  tbb::parallel_for(std::size_t(0), builders, [&](std::size_t k) {
+  const auto buildSome = [&](std::size_t k) {
     Builder builder{candidates_[k], ListPages::Writer(round)};
     for (std::size_t chunk; (chunk = next++) < chunks;) buildChunk(chunk, builder);
     if (builder.coincident) coincident = true;
-  });
+  };
+  parallelFor(builders, buildSome, 1);
   if (n > 0) round.reserve(builders);
   coincident_ = coincident;
   ++builds_;

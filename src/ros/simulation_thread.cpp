@@ -26,9 +26,9 @@ SimulationThread::SimulationThread(const ServedScene& scene, const RunOptions& o
     : options_(options),
       hooks_(std::move(hooks)),
       pause_wanted_(options.start_paused),
+      coming_scene_(std::make_shared<const ServedScene>(scene)),
       pacer_(0.0, options.ros_time) {
   latest_.paused = options.start_paused;
-  coming_scene_ = std::make_shared<const ServedScene>(scene);
   if (!loaded) loaded = makeSimulation(scene.scene, options.precision, options.threads);
   install(std::move(loaded), coming_scene_);
   thread_ = std::thread([this] { run(); });

@@ -13,10 +13,14 @@ namespace {
 
 std::atomic<std::uint64_t> allocations{0};
 
-void* counted(std::size_t size, std::size_t alignment) {
+void* countedOrNull(std::size_t size, std::size_t alignment) {
   ++allocations;
   const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-  void* memory = std::aligned_alloc(alignment, rounded);
+  return std::aligned_alloc(alignment, rounded);
+}
+
+void* counted(std::size_t size, std::size_t alignment) {
+  void* memory = countedOrNull(size, alignment);
   if (!memory) throw std::bad_alloc();
   return memory;
 }
@@ -28,6 +32,11 @@ void* operator new(std::size_t size) { return counted(size, alignof(std::max_ali
 void* operator new[](std::size_t size) { return counted(size, alignof(std::max_align_t)); }
 void* operator new(std::size_t size, std::align_val_t a) { return counted(size, std::size_t(a)); }
 void* operator new[](std::size_t size, std::align_val_t a) { return counted(size, std::size_t(a)); }
+// As std::stable_partition asks. The library's own leads to the one above, but a sanitizer's does
+// not.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return countedOrNull(size, alignof(std::max_align_t));
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
@@ -187,6 +196,8 @@ TEST(PayOnly, TheCounterCounts) {
   const std::uint64_t before = allocations;
   const auto made = std::make_unique<std::vector<int>>(3);
   EXPECT_EQ(allocations - before, 2u);
+  delete new (std::nothrow) int;
+  EXPECT_EQ(allocations - before, 3u);
 }
 
 class SteadyState : public testing::TestWithParam<int> {};

@@ -106,7 +106,7 @@ class RunScene(unittest.TestCase):
                  ([self.scene, "--record", self.folder / "no" / "r.npy"], "record"),
                  ([self.scene, "--frames", self.scene], "small.yaml"),
                  ([self.scene, "--record", self.folder / "r.npy", "--duration", "1e6", "--set",
-                   "solver.frame_rate_hz=10000"], "MB free; lower --duration"),
+                   "solver.frame_rate_hz=10000"], "MB free; lower --sample-hz or --duration"),
                  ([self.scene, "--frames", self.folder, "--duration", "1e6"],
                   "3e+07 pictures, more than 1e+05"),
                  (["/dev/zero"], "device or a pipe"), ([self.folder], "is a folder")]

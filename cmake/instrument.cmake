@@ -1,0 +1,22 @@
+# IIB_INSTRUMENT: the build that watches. The flags hold for every target, as a sanitizer has to see all of a program.
+set(IIB_INSTRUMENT "" CACHE STRING "What watches the program: address (with undefined behaviour), thread, coverage")
+set_property(CACHE IIB_INSTRUMENT PROPERTY STRINGS "" address thread coverage)
+
+if(IIB_INSTRUMENT STREQUAL "address")
+  # float-cast-overflow is not part of undefined, but is how a wild position becomes a cell key.
+  set(flags -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+elseif(IIB_INSTRUMENT STREQUAL "thread")
+  set(flags -fsanitize=thread -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/tsan_ignored.txt)
+elseif(IIB_INSTRUMENT STREQUAL "coverage")
+  # Counters of loops that run on several threads would lose counts without atomic.
+  set(flags --coverage -fprofile-update=atomic)
+elseif(IIB_INSTRUMENT)
+  message(FATAL_ERROR "IIB_INSTRUMENT is ${IIB_INSTRUMENT}; it may be address, thread, coverage or empty")
+endif()
+set(IIB_TEST_PATIENCE_S 60)  # until a test counts as hanging
+if(flags)
+  set(IIB_TEST_PATIENCE_S 600)
+  add_compile_options(${flags} -g1 -fno-omit-frame-pointer)
+  add_link_options(${flags})
+endif()
