@@ -105,14 +105,17 @@ void keepSmall(Scene& scene, test::Random& random) {
     tank.size_m = d * random.inBox(Vec3d::Constant(8), Vec3d::Constant(12));
     tank.wall_m = d * random.uniform(0.5, 3.0);
   }
+  // Side by side and below the spheres, as what overlaps is refused.
+  double from_x = -3.0;
   for (Block& block : scene.blocks) {
-    const Vec3d low = d * random.inBox(Vec3d(-3, -3, 1), Vec3d(-1, -1, 2));
+    const Vec3d low = d * random.inBox(Vec3d(from_x, -3, 1), Vec3d(from_x + 0.4, -1, 2));
     block.min_m = low;
-    block.max_m = low + d * random.inBox(Vec3d::Constant(2.01), Vec3d::Constant(4.5));
+    block.max_m = low + d * random.inBox(Vec3d::Constant(2.01), Vec3d(2.4, 4.5, 2.9));
     block.copies.setOnes();
+    from_x += 3.5;
   }
   for (Sphere& sphere : scene.spheres) {
-    sphere.position_m = d * Vec3d(random.uniform(-4, 4), 0, 6);
+    sphere.position_m = d * Vec3d(random.uniform(-4, 4), 0, 7);
     sphere.radius_m = d * random.uniform(0.5, 2.0);
   }
 }
