@@ -186,7 +186,8 @@ TYPED_TEST(NeighboursTest, RebuildGivesTheSameSetsAsReuse) {
 
 /// Pages made for long lists serve short ones later, of which many more start in one.
 TYPED_TEST(NeighboursTest, ListsAreRightAfterACrowdHasDispersed) {
-  constexpr std::size_t kCrowd = 12000;  // of which a cell in the middle may be near to 9000
+  constexpr std::size_t kCrowd =
+      20000;  // of which a cell in the middle has more than a page near it
   Cloud<TypeParam> cloud(randomPoints(kCrowd, Vec3d::Zero(), Vec3d::Constant(0.3), 13), kSupport_m);
   this->scatter(cloud, randomPoints(kCrowd, Vec3d::Zero(), Vec3d(20, 0.5, 0.5), 14));
   for (std::size_t i = 0; i < kCrowd; ++i) {
