@@ -90,7 +90,8 @@ class Colliders {
   /// @param radius_m particle radius, half the spacing: the distance that centres keep
   Colliders(const Scene& scene, double radius_m);
 
-  bool empty() const { return containers.empty() && planes.empty() && spheres.empty(); }
+  bool empty() const { return count() == 0; }
+  std::size_t count() const { return containers.size() + planes.size() + spheres.size(); }
 
   /// Where a particle that starts a substep at `from` ends when the solver wants it at `to`:
   /// outside every solid, its sliding reduced by Coulomb friction. In a gap too narrow for it a

@@ -34,6 +34,9 @@ class DensityConstraint {
   /// iterations of the substep.
   void computeDeltaP(const Particles<Real>& particles, const Neighbours<Real>& neighbours);
 
+  /// The next substep starts from nothing.
+  void forgetWarmStart();
+
   /// Fits what the warm start keeps to a substep that is `ratio` times as long.
   void rescaleWarmStart(double ratio);
 

@@ -79,8 +79,8 @@ class Heat {
     archive(self.enthalpy_, self.received_, self.walls_, self.regions_, self.passes_,
             self.longest_pass_s_, self.reached_speedup_);
   }
-  /// @throws InvalidInput when what was read is not that of `particles` particles
-  void settle(std::size_t particles) const;
+  /// @throws InvalidInput when what was read is not that of `particles` particles of this scene
+  void settle(std::size_t particles, const Scene& scene) const;
 
  private:
   void measure(const Particles<Real>& particles, const Neighbours<Real>& neighbours,

@@ -23,6 +23,9 @@ class HeatRegions {
   static void exchange(Self& self, Archive& archive) {
     archive(self.active_);
   }
+  /// @throws InvalidInput when what was read could not have been asked for
+  void settle(const Scene& scene) const;
+
   std::size_t bytes() const { return active_.capacity() * sizeof(HeatRegion); }
 
  private:

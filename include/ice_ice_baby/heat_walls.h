@@ -62,6 +62,9 @@ class HeatWalls {
     }
   }
 
+  /// @throws InvalidInput when what was read is no temperature or ramp
+  void settle() const;
+
   std::size_t bytes() const { return share_.bytes() + surfaces_.capacity() * sizeof(Surface); }
 
  private:

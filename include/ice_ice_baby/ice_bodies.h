@@ -111,8 +111,8 @@ class IceBodies {
             self.renumbered_);
   }
   /// Works out which member is where. @throws InvalidInput when what was read are no bodies of
-  /// `particles` particles, or one is anchored to none of the colliders
-  void settle(std::size_t particles, std::size_t colliders);
+  /// these particles, where they are, or one is anchored to none of the colliders
+  void settle(const Particles<Real>& particles, const Colliders<Real>& colliders);
 
  private:
   /// Particles of one label.
@@ -140,6 +140,8 @@ class IceBodies {
     bool supported;
   };
 
+  double ownInertia(Index count) const;
+  void settleBody(const IceBody& body, const Particles<Real>& particles) const;
   bool isWet(const IceBody& body, const std::vector<std::uint8_t>& wet) const;
   bool gatherGroups(const std::vector<Index>& label);
   void putAside();

@@ -68,7 +68,8 @@ class IceContacts {
     /// What the next substep takes over.
     template <class Self, class Archive>
     static void exchange(Self& self, Archive& archive) {
-      archive(self.key, self.a, self.b, self.member_a, self.member_b, self.pressed, self.rubbed);
+      archive(self.key, self.a, self.b, self.member_a, self.member_b, self.pressed, self.rubbed,
+              self.swept);
     }
   };
   /// One direction of a contact, linear in the moves of its bodies.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -25,6 +26,9 @@ class ListPages {
     return pages_[place / kPlaces].values.get() + place % kPlaces * kAlign;
   }
 
+  /// Pages beyond so many bytes are std::bad_alloc, as if the machine had no more.
+  void limit(double most_bytes) { most_bytes_ = most_bytes; }
+
   std::size_t bytes() const;
 
  private:
@@ -35,13 +39,17 @@ class ListPages {
     std::unique_ptr<Index[]> values;
     std::size_t size = 0;  ///< kPageSize, more for a list that does not fit
   };
+  void fit(Page& page, std::size_t size);
+
   std::vector<Page> pages_;
+  double most_bytes_ = std::numeric_limits<double>::infinity();
+  std::size_t values_ = 0;  ///< of all pages
 };
 
 /// One build, which writes every list anew.
 class ListPages::Round {
  public:
-  explicit Round(ListPages& pages) : pages_(pages.pages_) {}
+  explicit Round(ListPages& lists) : lists_(lists), pages_(lists.pages_) {}
 
   /// Once the Writers are gone: keeps as many pages as the same lists may need however they fall to
   /// so many of them, and a few more, so that steady states do not allocate.
@@ -57,9 +65,9 @@ class ListPages::Round {
   /// The next page, with room for so many values. Safe from several threads.
   Taken take(std::size_t room);
   void count(std::size_t written, std::size_t widest);
-  static void fit(Page& page, std::size_t size);
 
   std::mutex mutex_;
+  ListPages& lists_;
   std::vector<Page>& pages_;
   std::size_t taken_ = 0;
   std::size_t written_ = 0;  ///< values of all lists
@@ -72,10 +80,11 @@ class ListPages::Writer {
   explicit Writer(Round& round) : round_(round) {}
   ~Writer() { round_.count(written_, widest_); }
 
-  /// Where the next list goes: at least `room` values.
+  /// Where the next list goes: at least `room` values. Behind kPageSize of a longer page nothing
+  /// starts, as no place tells of that. @throws std::bad_alloc beyond the limit
   Index* start(std::size_t room) {
     widest_ = std::max(widest_, room);
-    if (page_.size - used_ < room) {
+    if (page_.size - used_ < room || used_ >= kPageSize) {
       page_ = round_.take(room);
       used_ = 0;
     }

@@ -26,7 +26,11 @@ class Neighbours {
   /// @param support_m h, m
   /// @param skin_m lists reach h + skin and stay valid while no two particles have moved by skin
   /// against each other
-  Neighbours(Real support_m, Real skin_m) : reach_(support_m + skin_m), skin_(skin_m) {}
+  Neighbours(Real support_m, Real skin_m);
+
+  /// Memory that all lists may take, half of the machine's unless told otherwise: n particles at
+  /// one place have n^2 neighbours, and the kernel would rather end the program than say no.
+  void limitLists(double most_bytes);
 
   /// Whether some predicted position is further than skin / 2 from where the lists were built, but
   /// for a shift common to all: water that falls as one keeps its lists.
@@ -37,6 +41,7 @@ class Neighbours {
   const std::vector<Index>& sortOrder(const VectorField<Real>& predicted);
 
   /// Builds every list from positions that lie in the order that sortOrder gave.
+  /// @throws InvalidInput where they take too much memory; they are stale then, and nothing is lost
   void build(const VectorField<Real>& predicted);
 
   /// Every j with |x_j* - x_i*| < h, and some that are up to skin further. Behind the last lie
@@ -83,7 +88,10 @@ class Neighbours {
   std::uint64_t cellKey(const Vec3<Real>& point) const;
   void sortAlong(int axis, const std::vector<Real>& values);
   void findCells();
+  std::size_t fullestCell() const;
   void makeRoom(std::size_t builders);
+  void buildLists();
+  void forgetLists();
   class RowCursors;
   void buildChunk(std::size_t chunk, Builder& builder);
   void buildList(Index i, Builder& builder);
@@ -98,6 +106,7 @@ class Neighbours {
   std::vector<Index> place_;    ///< (n) where a list is in the pages; scratch of the sort
   std::vector<Index> count_;    ///< (n) its size; scratch of the sort
   ListPages pages_;
+  double most_bytes_;                         ///< of the lists
   std::vector<Candidates<Real>> candidates_;  ///< one for each thread that builds
   bool coincident_ = false;
   std::size_t builds_ = 0;

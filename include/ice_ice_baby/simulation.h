@@ -107,6 +107,8 @@ class Simulation {
   virtual ~Simulation() = default;
 
   /// Simulates one frame, 1 / solver.frame_rate_hz of time.
+  /// @throws InvalidInput where so much water came together that the lists of neighbours take too
+  /// much memory; the frame is then done in part, and the next one may be tried
   virtual const StepReport& advanceFrame() = 0;
 
   virtual const StepReport& report() const = 0;

@@ -57,6 +57,7 @@ class Simulator final : public Simulation {
   /// State for tests and measurement; sorted by cell, so indices change from substep to substep.
   const Particles<Real>& particles() const { return particles_; }
   Particles<Real>& particles() { return particles_; }
+  Neighbours<Real>& neighbours() { return neighbours_; }
 
  private:
   void runSubsteps();

@@ -28,6 +28,8 @@ class Temperature {
     archive(self.schedule_, self.celsius_, self.ramp_start_s_, self.ramp_s_, self.from_c_,
             self.target_c_);
   }
+  /// @throws InvalidInput when what was read is no temperature or ramp
+  void settle() const;
 
  private:
   void startRamp(double target_c, double ramp_s, double start_s);

@@ -7,6 +7,7 @@
 
 #include "ice_ice_baby/archive.h"
 #include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/memory_need.h"
 #include "ice_ice_baby/simulator.h"
 #include "scene_archive.h"
 
@@ -92,6 +93,7 @@ std::unique_ptr<Simulation> simulationFrom(StateReader& reader, int threads) {
   Scene scene;
   describe(scene, SceneArchive<StateReader>(reader));
   validate(scene);
+  requireMemory(scene, machineMemory_bytes());
   std::uint64_t particles = 0;
   reader(particles);
   constexpr std::size_t kLeast_bytes = 9 * sizeof(Real);  // places, velocities, where lists began

@@ -169,6 +169,14 @@ void DensityConstraint<Real>::resize(std::size_t n) {
 }
 
 template <class Real>
+void DensityConstraint<Real>::forgetWarmStart() {
+  std::fill(multiplier_.begin(), multiplier_.end(), Real(0));
+  for (auto* axis : {&correction_.x, &correction_.y, &correction_.z}) {
+    std::fill(axis->begin(), axis->end(), Real(0));
+  }
+}
+
+template <class Real>
 void DensityConstraint<Real>::rescaleWarmStart(double ratio) {
   const Real square = static_cast<Real>(ratio * ratio);  // of a pressure, corrections go with dt^2
   parallelFor(multiplier_.size(), [&](std::size_t i) {

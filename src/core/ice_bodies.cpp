@@ -54,13 +54,15 @@ void IceBodies<Real>::forEachChunk(const Visit& visit) const {
       1);
 }
 
-/// A body above the speed limit, or one that would turn too far, is slowed.
+/// A body above the speed limit, or one that would turn too far, is slowed; one whose momenta are
+/// not finite rests.
 template <class Real>
 void IceBodies<Real>::limit(IceBody& body) {
   const Vec3d spin = body.spinAt(body.pose.turn);
   const double fastest = body.velocity_m_s.norm() + spin.norm() * body.radius_m;
   const double turn = spin.norm() * dt_s_;
-  bool limited = false;
+  bool limited = !std::isfinite(fastest);
+  if (limited) body.stop();
   if (fastest > max_speed_m_s_) {
     body.velocity_m_s *= max_speed_m_s_ / fastest;
     body.angular_momentum *= max_speed_m_s_ / fastest;

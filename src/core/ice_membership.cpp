@@ -36,16 +36,17 @@ constexpr double kHideReach_d = 1.85;
 /// Bodies of up to so many particles may lie in a row.
 constexpr Index kFew = 4;
 
+}  // namespace
+
 /// Inertia of a particle about its own centre, without which a row of them could spin about its
 /// axis for nothing: that of a ball among few, so little among many that what their body spins is
 /// what its particles carry. Alone so much that it does not turn: a grain of ice lies where a ball
 /// would roll away.
-double ownInertia(double particle_kg, double radius_m, Index count) {
+template <class Real>
+double IceBodies<Real>::ownInertia(Index count) const {
   const double share = count == 1 ? 1e6 : count <= kFew ? 1.0 : 0.04;
-  return share * 0.4 * particle_kg * radius_m * radius_m;
+  return share * 0.4 * particle_kg_ * radius_m_ * radius_m_;
 }
-
-}  // namespace
 
 /// @return whether some body changes
 template <class Real>
@@ -123,14 +124,14 @@ void IceBodies<Real>::makeBody(const Particles<Real>& particles, Index first, In
   }
   centre /= double(last - first);
   body.velocity_m_s = speed / double(last - first);
-  const double own = ownInertia(particle_kg_, radius_m_, last - first);
+  const double own = ownInertia(last - first);
   for (Index m = first; m < last; ++m) {
     const IceBody* old = oldBody(m);
     const Vec3d arm = offset_[m] - centre;
     body.angular_momentum += particle_kg_ * arm.cross(velocity(m, old) - body.velocity_m_s);
     if (old) {
       const Index company = old->last - old->first;
-      body.angular_momentum += ownInertia(particle_kg_, radius_m_, company) * old->spin();
+      body.angular_momentum += ownInertia(company) * old->spin();
     }
     body.inertia +=
         particle_kg_ * (arm.squaredNorm() * Mat3<double>::Identity() - arm * arm.transpose());

@@ -1,6 +1,7 @@
 #include "ice_ice_baby/list_pages.h"
 
 #include <algorithm>
+#include <new>
 
 namespace ice_ice_baby {
 
@@ -8,7 +9,7 @@ ListPages::Round::Taken ListPages::Round::take(std::size_t room) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (taken_ == pages_.size()) pages_.emplace_back();
   Page& page = pages_[taken_];
-  if (page.size < room) fit(page, std::max(room, kPageSize));
+  if (page.size < room) lists_.fit(page, std::max(room, kPageSize));
   return {static_cast<Index>(taken_++), page.values.get(), page.size};
 }
 
@@ -23,14 +24,18 @@ void ListPages::Round::reserve(std::size_t writers) {
   const std::size_t full = kPageSize - widest_;
   const std::size_t needed = (written_ + full - 1) / full + writers - 1;
   if (pages_.size() >= needed) return;
+  if (double(needed + needed / 32) * kPageSize * sizeof(Index) > lists_.most_bytes_) return;
   const std::size_t before = pages_.size();
   pages_.resize(needed + needed / 32);
-  for (std::size_t k = before; k < pages_.size(); ++k) fit(pages_[k], kPageSize);
+  for (std::size_t k = before; k < pages_.size(); ++k) lists_.fit(pages_[k], kPageSize);
 }
 
 /// Uninitialized: a page that no list reaches costs nothing.
-void ListPages::Round::fit(Page& page, std::size_t size) {
+void ListPages::fit(Page& page, std::size_t size) {
+  const std::size_t values = values_ - page.size + size;
+  if (double(values) * sizeof(Index) > most_bytes_) throw std::bad_alloc();
   page.values.reset(new Index[size]);
+  values_ = values;
   page.size = size;
 }
 

@@ -6,8 +6,12 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <new>
 #include <numeric>
+#include <string>
 
+#include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/memory_need.h"
 #include "ice_ice_baby/parallel.h"
 
 namespace ice_ice_baby {
@@ -18,11 +22,29 @@ namespace {
 constexpr int kBits = 20;
 constexpr std::int64_t kMaxCell = (std::int64_t(1) << kBits) - 2;
 
+/// Share of the machine's memory that lists may take: the rest of a scene takes as much.
+constexpr double kListShare = 0.5;
+
+/// A length in m as a text to a micrometre.
+std::string lengthText(double length_m) { return numberText(std::round(1e6 * length_m) / 1e6); }
+
 constexpr std::uint64_t packKey(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
   return (z << (2 * kBits)) | (y << kBits) | x;
 }
 
 }  // namespace
+
+template <class Real>
+Neighbours<Real>::Neighbours(Real support_m, Real skin_m)
+    : reach_(support_m + skin_m), skin_(skin_m) {
+  limitLists(kListShare * machineMemory_bytes());
+}
+
+template <class Real>
+void Neighbours<Real>::limitLists(double most_bytes) {
+  most_bytes_ = most_bytes;
+  pages_.limit(most_bytes);
+}
 
 template <class Real>
 bool Neighbours<Real>::stale(const VectorField<Real>& predicted) const {
@@ -37,7 +59,8 @@ std::uint64_t Neighbours<Real>::cellAlong(int axis, Real value) const {
   // The edge is a hair longer than the reach, so that rounding cannot part neighbours by two
   // cells.
   const double offset = double(value - origin_[axis]) / (1.0001 * double(reach_));
-  return static_cast<std::uint64_t>(std::clamp(offset, 0.0, double(kMaxCell - 1))) + 1;
+  // What is not a number lies in the first cell.
+  return static_cast<std::uint64_t>(std::min(std::max(0.0, offset), double(kMaxCell - 1))) + 1;
 }
 
 template <class Real>
@@ -92,17 +115,24 @@ void Neighbours<Real>::findCells() {
   cells_.push_back({~std::uint64_t(0), n});
 }
 
-/// For the most candidates that any cell can have, so that it does not matter to which thread the
-/// fullest falls.
+/// Particles in it.
 template <class Real>
-void Neighbours<Real>::makeRoom(std::size_t builders) {
+std::size_t Neighbours<Real>::fullestCell() const {
   Index fullest = 0;
   for (std::size_t c = 0; c + 1 < cells_.size(); ++c) {
     fullest = std::max(fullest, cells_[c + 1].first - cells_[c].first);
   }
+  return fullest;
+}
+
+/// For the most candidates that any cell can have, so that it does not matter to which thread the
+/// fullest falls.
+template <class Real>
+void Neighbours<Real>::makeRoom(std::size_t builders) {
+  const std::size_t fullest = fullestCell();
   if (candidates_.size() < builders) candidates_.resize(builders);
   for (auto& candidates : candidates_) {
-    candidates.makeRoom(std::min(count_.size(), 27 * std::size_t(fullest)));
+    candidates.makeRoom(std::min(count_.size(), 27 * fullest));
   }
 }
 
@@ -179,6 +209,22 @@ void Neighbours<Real>::build(const VectorField<Real>& predicted) {
   std::copy(predicted.z.begin(), predicted.z.end(), built_at_.z.begin());
   for (auto* indices : {&place_, &count_}) indices->resize(n);
   findCells();
+  try {
+    buildLists();
+  } catch (const std::bad_alloc&) {
+    const std::string crowd = numberText(double(fullestCell()));
+    forgetLists();
+    throw InvalidInput("the lists of neighbours take more than " +
+                       numberText(std::floor(most_bytes_ / 1e6)) + " MB of memory: " + crowd +
+                       " particles lie in one cube of " + lengthText(double(reach_)) +
+                       " m; give the water more room or enlarge fluid.spacing_m");
+  }
+  ++builds_;
+}
+
+template <class Real>
+void Neighbours<Real>::buildLists() {
+  const std::size_t n = count_.size();
   const std::size_t chunks = (n + kChunk - 1) / kChunk;
   const std::size_t threads = std::size_t(tbb::this_task_arena::max_concurrency());
   const std::size_t builders = std::min(chunks, threads);
@@ -194,7 +240,15 @@ void Neighbours<Real>::build(const VectorField<Real>& predicted) {
   parallelFor(builders, buildSome, 1);
   if (n > 0) round.reserve(builders);
   coincident_ = coincident;
-  ++builds_;
+}
+
+/// Gives their memory back. Lists of no particles are stale.
+template <class Real>
+void Neighbours<Real>::forgetLists() {
+  count_.clear();
+  candidates_.clear();
+  pages_ = ListPages();
+  pages_.limit(most_bytes_);
 }
 
 template <class Real>

@@ -277,6 +277,7 @@ void Simulator<Real>::updateVelocityAndPosition(Real dt) {
   });
   report_.speed_limited += limited;
   report_.non_finite += repaired;
+  if (repaired > 0) density_->forgetWarmStart();  // or every substep would start from it again
 }
 
 template <class Real>

@@ -37,7 +37,7 @@ void Simulator<Real>::jumpColliders() {
     contacts_->expel(*bodies_, colliders_);
     bodies_->finish(particles_);
   }
-  density_->rescaleWarmStart(0.0);
+  density_->forgetWarmStart();
   expel();
 }
 
@@ -92,7 +92,7 @@ void Simulator<Real>::makeRoom() {
     if (bodies_) bodies_->writePredicted(particles_.predicted);
     particles_.position = particles_.predicted;
   }
-  density_->rescaleWarmStart(0.0);
+  density_->forgetWarmStart();
 }
 
 template class Simulator<float>;

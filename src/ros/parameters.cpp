@@ -158,19 +158,6 @@ class TableWriter {
   std::ostringstream out_;
 };
 
-/// tf2 itself refuses no more than an empty name and a leading slash.
-void requireFrame(const std::string& name, const std::string& frame) {
-  constexpr std::size_t kLongest = 255;
-  const bool printable = std::all_of(frame.begin(), frame.end(), [](unsigned char c) {
-    return c > ' ' && c < 127;  // neither a space nor a control character
-  });
-  const bool usable = !frame.empty() && frame.size() <= kLongest && frame.front() != '/';
-  if (usable && printable && frame.back() != '/') return;
-  throw InvalidInput("parameter ~" + name + " = \"" + shortened(frame) +
-                     "\" must be the name of a tf frame: 1 to 255 ASCII characters without "
-                     "spaces, no / at either end, as world");
-}
-
 }  // namespace
 
 NodeParameters readParameters(const XmlRpcValue& tree) {
@@ -188,8 +175,8 @@ NodeParameters readParameters(const XmlRpcValue& tree) {
       std::find(presets.begin(), presets.end(), parameters.preset) == presets.end()) {
     reader.refuse("preset", "must be \"\" or one of: " + joined(presets));
   }
-  requireFrame("frame_id", parameters.frame_id);
-  requireFrame("scene_frame", parameters.scene_frame);
+  requireFrameName("parameter ~frame_id", parameters.frame_id);
+  requireFrameName("parameter ~scene_frame", parameters.scene_frame);
   if (parameters.frame_id == parameters.scene_frame) {
     throw InvalidInput("parameters ~frame_id and ~scene_frame are both " + parameters.frame_id +
                        "; give the scene a frame of its own, as ice_ice_baby/scene");

@@ -105,6 +105,23 @@ Scene readScene(const Options& options) {
   return loadScene(options.scene, overrides);
 }
 
+/// What the limits of the solver did to the run.
+void warnOfLimits(const Scene& scene, std::size_t particles, const RunRecord& record) {
+  if (record.speed_limited > 0) {
+    std::fprintf(stderr,
+                 "run_scene: warning: solver.max_speed_m_s = %g slowed particles %llu times\n",
+                 scene.solver.max_speed_m_s, static_cast<unsigned long long>(record.speed_limited));
+  }
+  constexpr double kManyCut = 0.01;  // of the particles in a substep
+  if (double(record.correction_limited) > kManyCut * double(particles) * double(record.steps)) {
+    std::fprintf(stderr,
+                 "run_scene: warning: solver.max_correction_h = %g cut %llu corrections: the water "
+                 "is softer than it should be; raise solver.substeps\n",
+                 scene.solver.max_correction_h,
+                 static_cast<unsigned long long>(record.correction_limited));
+  }
+}
+
 void printSummary(const Simulation& simulation, const RunRecord& record) {
   const StepReport& report = simulation.report();
   std::printf(
@@ -116,12 +133,7 @@ void printSummary(const Simulation& simulation, const RunRecord& record) {
       record.samples > 0 ? 1e3 * record.wall_time_s / double(record.samples) : 0.0,
       100 * record.density_error_mean, 100 * record.density_error_max, report.springs,
       report.rms_speed_m_s, report.asleep ? ", asleep" : "");
-  if (record.speed_limited > 0) {
-    std::fprintf(stderr,
-                 "run_scene: warning: solver.max_speed_m_s = %g slowed particles %llu times\n",
-                 simulation.scene().solver.max_speed_m_s,
-                 static_cast<unsigned long long>(record.speed_limited));
-  }
+  warnOfLimits(simulation.scene(), report.particles, record);
 }
 
 /// A checkpoint holds the scene as it was in force, so nothing of it can be asked for anew.

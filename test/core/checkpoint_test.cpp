@@ -57,6 +57,7 @@ INSTANTIATE_TEST_SUITE_P(Of, StoryTest,
 TEST(CheckpointTest, TheStoriesTellOfAllThatAStateMayHold) {
   StepReport most;
   int grew = 0, shrank = 0;  // frames in which there was more and less ice than before
+  int swept = 0;             // frames in which ice went further than it is wide in a substep
   for (const Story& story : stories()) {
     const auto simulation = makeSimulation(story.scene, Precision::kFloat, 1);
     for (int frame = 0; frame < story.frames; ++frame) {
@@ -65,6 +66,9 @@ TEST(CheckpointTest, TheStoriesTellOfAllThatAStateMayHold) {
       const StepReport& report = simulation->advanceFrame();
       grew += report.ice_particles > ice;
       shrank += report.ice_particles < ice;
+      const double way_m = report.max_speed_m_s / (60.0 * report.substeps);
+      swept += report.bodies > 1 && report.ice_particles == report.particles && way_m > 0.08;
+      most.speed_limited = std::max(most.speed_limited, report.speed_limited);
       most.springs = std::max(most.springs, report.springs);
       most.bodies = std::max(most.bodies, report.bodies);
       most.bodies_asleep = std::max(most.bodies_asleep, report.bodies_asleep);
@@ -75,6 +79,8 @@ TEST(CheckpointTest, TheStoriesTellOfAllThatAStateMayHold) {
   EXPECT_GT(most.bodies, 5U);
   EXPECT_GT(most.bodies_asleep, 0U);
   EXPECT_GT(most.steam_particles, 0U);
+  EXPECT_GE(most.speed_limited, 600U) << "nothing was carried along by a collider that jumped";
+  EXPECT_GT(swept, 5);
   EXPECT_GT(grew, 5);
   EXPECT_GT(shrank, 5);
 }

@@ -81,6 +81,24 @@ TEST(CrowdingTest, ThousandsInOneCellCostTheirPairsAndNoMore) {
   EXPECT_EQ(cloud.neighbours.pairs(), n * (n - 1) / 2);
 }
 
+/// As run_scene tells and ends, and the node pauses: nothing is lost, and it may go on.
+TEST(CrowdingTest, WaterCrushedBeyondTheMemoryOfItsListsIsToldAndGoesOnOnceItHasRoom) {
+  Simulator<float> simulator(test::splash(), 1);
+  simulator.advanceFrame();
+  const VectorField<float> spread = simulator.particles().position;
+  const std::size_t particles = simulator.particles().size();
+  simulator.neighbours().limitLists(1e6);
+  for (std::size_t i = 0; i < particles; ++i) {
+    simulator.particles().position.set(i, {0, 0, 0.5f});
+  }
+  for (int k = 0; k < 2; ++k) EXPECT_THROW(simulator.advanceFrame(), InvalidInput);
+  EXPECT_EQ(simulator.countEscaped(), 0u);
+  EXPECT_EQ(simulator.report().particles, particles);
+  simulator.particles().position = spread;
+  simulator.advanceFrame();
+  expectWhole(simulator, particles);
+}
+
 TEST(CrowdingTest, WhatLiesFurtherOutThanAHundredMetresIsRefusedByName) {
   Scene scene = test::floatingCube(1);
   scene.blocks[0].max_m.x() = 1e5;

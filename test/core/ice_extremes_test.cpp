@@ -89,6 +89,22 @@ TYPED_TEST(IceExtremesTest, TheSpeedLimitHoldsForTheFastestMember) {
   EXPECT_LE(rig.fastest(), 20.001);
 }
 
+TYPED_TEST(IceExtremesTest, ABodyWhoseMomentaAreNotFiniteRestsWhereItIs) {
+  IceRig<TypeParam> rig(closedTank(), {brick({3, 3, 3}, kSpacing_m, {0, 0, 0.3})});
+  const Vec3d centre = rig.body(0).pose.centre_m;
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    for (const bool spins : {false, true}) {
+      IceBody& body = rig.body(0);
+      (spins ? body.angular_momentum : body.velocity_m_s).y() = bad;
+      rig.substep(1.0 / 360);
+      EXPECT_TRUE(body.velocity_m_s.allFinite() && body.angular_momentum.allFinite());
+      EXPECT_LT((rig.body(0).pose.centre_m - centre).norm(), 1e-3);
+      EXPECT_LT(rig.fastest(), 0.2);
+    }
+  }
+  EXPECT_GE(rig.bodies.limited(), 4u);
+}
+
 TYPED_TEST(IceExtremesTest, AMovingContainerCarriesAnAnchoredBodyAndPushesALooseOne) {
   IceRig<TypeParam> rig(closedTank(), {brick({3, 3, 3}, kSpacing_m, {0.42, 0, 0.4}),
                                        brick({3, 3, 3}, kSpacing_m, {-0.3, 0, 0.075})});

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "fixtures.h"
+#include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -48,6 +49,18 @@ class NeighboursTest : public testing::Test {
       }
     }
     return pairs;
+  }
+
+  /// The same particles somewhere else, with new lists.
+  static void scatter(Cloud<Real>& cloud, const std::vector<Vec3d>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      cloud.particles.predicted.set(i, points[i].cast<Real>());
+    }
+    ASSERT_TRUE(cloud.neighbours.stale(cloud.particles.predicted));
+    cloud.particles.position = cloud.particles.predicted;
+    cloud.particles.reorder(cloud.neighbours.sortOrder(cloud.particles.position));
+    cloud.particles.predicted = cloud.particles.position;
+    cloud.neighbours.build(cloud.particles.predicted);
   }
 
   static void expectEveryPair(const std::vector<Vec3d>& points, const char* what) {
@@ -169,6 +182,42 @@ TYPED_TEST(NeighboursTest, RebuildGivesTheSameSetsAsReuse) {
   cloud.neighbours.build(cloud.particles.predicted);
   EXPECT_EQ(this->listed(cloud.particles, cloud.neighbours, kSupport_m + 0.02), reused);
   EXPECT_EQ(cloud.neighbours.builds(), 2u);
+}
+
+/// Pages made for long lists serve short ones later, of which many more start in one.
+TYPED_TEST(NeighboursTest, ListsAreRightAfterACrowdHasDispersed) {
+  constexpr std::size_t kCrowd =
+      20000;  // of which a cell in the middle has more than a page near it
+  Cloud<TypeParam> cloud(randomPoints(kCrowd, Vec3d::Zero(), Vec3d::Constant(0.3), 13), kSupport_m);
+  this->scatter(cloud, randomPoints(kCrowd, Vec3d::Zero(), Vec3d(20, 0.5, 0.5), 14));
+  for (std::size_t i = 0; i < kCrowd; ++i) {
+    const Vec3<TypeParam> x = cloud.particles.predicted.at(i);
+    for (const Index j : cloud.neighbours.of(i)) {
+      ASSERT_LT(j, kCrowd);
+      ASSERT_LT((cloud.particles.predicted.at(j) - x).norm(), kSupport_m);
+    }
+  }
+}
+
+TYPED_TEST(NeighboursTest, ListsThatTakeTooMuchMemoryAreRefusedAndMayBeBuiltLater) {
+  constexpr std::size_t kCrowd = 2000;
+  const auto spread = randomPoints(kCrowd, Vec3d::Zero(), Vec3d::Ones(), 15);
+  Cloud<TypeParam> cloud(spread, kSupport_m);
+  const Pairs before = this->listed(cloud.particles, cloud.neighbours, kSupport_m);
+  cloud.neighbours.limitLists(1e6);  // 2000^2 neighbours are 16 MB
+  try {
+    this->scatter(cloud, std::vector<Vec3d>(kCrowd, Vec3d(0.5, 0.5, 0.5)));
+    FAIL() << "nothing was refused";
+  } catch (const InvalidInput& e) {
+    EXPECT_STREQ(e.what(),
+                 "the lists of neighbours take more than 1 MB of memory: 2000 particles lie in one "
+                 "cube of 0.1 m; give the water more room or enlarge fluid.spacing_m");
+  }
+  EXPECT_TRUE(cloud.neighbours.stale(cloud.particles.predicted));
+  EXPECT_LT(cloud.neighbours.bytes(), 1'500'000u);
+  cloud.particles = test::particlesAt<TypeParam>(spread);
+  this->scatter(cloud, spread);
+  EXPECT_EQ(this->listed(cloud.particles, cloud.neighbours, kSupport_m), before);
 }
 
 TYPED_TEST(NeighboursTest, ShrinksAfterFewerParticles) {

@@ -138,6 +138,44 @@ inline Story coldTankStory() {
   return {"cold_tank", scene, act, 60};
 }
 
+/// A tank with water, ice and a ball in it that is suddenly somewhere else and turned, and then the
+/// ball in the middle of the water.
+inline Story jumpStory() {
+  Scene scene = heated(0.04);
+  scene.blocks = {blockOf({-0.3, -0.2, 0.0}, {0.3, 0.2, 0.16}),
+                  blockOf({-0.2, -0.1, 0.24}, {0.0, 0.1, 0.4})};
+  scene.blocks[1].celsius = -10.0;
+  scene.containers = {tankOf({0.6, 0.4, 0.6}, false)};
+  scene.spheres.emplace_back();
+  scene.spheres[0].name = "ball";
+  scene.spheres[0].position_m = {0, 0, 3};
+  scene.spheres[0].radius_m = 0.08;
+  const auto act = [](Simulation& simulation, int frame) {
+    if (frame == 9) simulation.moveCollider("tank", poseOf({3, 1, -2}, {0, 10, 90}));
+    if (frame == 20) simulation.moveCollider("ball", poseOf({3, 1.1, -1.9}, Vec3d::Zero()));
+  };
+  return {"jumps", scene, act, 32};
+}
+
+/// Three rows of ice in free space, of which the first brick hits the next and both the third, so
+/// fast that they would pass each other within a substep.
+inline Story fastIceStory() {
+  Scene scene = heated(0.04);
+  scene.gravity_m_s2.setZero();
+  scene.solver.substeps = 1;
+  for (int row = 0; row < 3; ++row) {
+    double x = 0.0;
+    for (int k = 0; k < 6; ++k) {
+      Block brick = blockOf({x, 0.5 * row, 0.0}, {x + 0.08, 0.5 * row + 0.12, 0.12});
+      brick.celsius = -20.0;
+      if (k == 0) brick.velocity_m_s.x() = 28.0 - 3.0 * row;
+      scene.blocks.push_back(brick);
+      x += 0.5 + 0.1 * row;
+    }
+  }
+  return {"fast_ice", scene, [](Simulation&, int) {}, 36};
+}
+
 inline std::vector<Story> stories() {
   return {{"water", splash()},
           {"freezing", freezingSplash(Preset::kDefault)},
@@ -149,7 +187,9 @@ inline std::vector<Story> stories() {
           kettleStory(0.0),
           kettleStory(1e-6),
           hailStory(),
-          coldTankStory()};
+          coldTankStory(),
+          jumpStory(),
+          fastIceStory()};
 }
 
 /// What Simulation::write wrote, from behind the scene and the number of particles.

@@ -47,14 +47,19 @@ TEST(ErrorFaces, AreThereOnlyWhereTheSceneHasThem) {
   const auto pool = facesOf({}, 0.1);
   EXPECT_EQ(pool.count("front_error"), 0u);
   EXPECT_EQ(pool.count("ice_drift_spacings"), 0u);
+  const std::vector<Override> roomy{{"containers.0.size_m", "[0.42, 0.42, 0.6]"},
+                                    {"containers.0.position_m", "[0, 0, -0.005]"}};
+  EXPECT_EQ(facesOf(roomy, 0.05).count("column_height_m"), 1u);
   for (const std::vector<Override>& not_a_column : std::vector<std::vector<Override>>{
            {{"blocks.0.max_m", "[0, 0.2, 0.3]"}},      // a dam
            {{"blocks.0.min_m", "[-0.2, -0.2, 0.1]"}},  // falls
            {{"blocks.0.velocity_m_s", "[0, 0, 1]"}},
-           {{"containers.0.rpy_deg", "[0, 2, 0]"}},
+           {{"containers.0.rpy_deg", "[0, 1, 0]"},  // with room to tilt
+            {"containers.0.size_m", "[0.42, 0.42, 0.6]"},
+            {"containers.0.position_m", "[0, 0, -0.005]"}},
            {{"gravity_m_s2", "[1, 0, -9]"}},
            {{"fluid.spacing_m", "0.06"}},  // 0.4 m do not hold whole particles: it sinks aside
-           {{"spheres", "[{name: ball}]"}}}) {
+           {{"spheres", "[{name: ball, position_m: [0, 0, 0.5], radius_m: 0.05}]"}}}) {
     EXPECT_EQ(facesOf(not_a_column, 0.05).count("column_height_m"), 0u) << not_a_column[0].key;
   }
   EXPECT_EQ(facesOf({{"gravity_m_s2", "[0, 0, 0]"}}, 0.05).count("energy_drift"), 0u);

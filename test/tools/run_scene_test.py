@@ -125,6 +125,18 @@ class RunScene(unittest.TestCase):
         self.assertEqual(result.returncode, 2)
         self.assertIn("unstable", result.stderr)
 
+    def test_corrections_that_were_cut_are_warned_of_once_they_are_many(self):
+        cut = self.run_scene(self.scene, "--set", "solver.max_correction_h=0.001", "--set",
+                             "solver.substeps=1")
+        self.assertEqual(cut.returncode, 0, cut.stderr)
+        self.assertIn("solver.max_correction_h = 0.001 cut ", cut.stderr)
+        self.assertIn("raise solver.substeps", cut.stderr)
+        self.assertEqual(len(cut.stderr.splitlines()), 1, cut.stderr)
+        few = self.report("--set", "solver.max_correction_h=0.05")
+        self.assertLessEqual(few["correction_limited"], 0.01 * 180 * few["steps"])
+        self.assertEqual(
+            self.run_scene(self.scene, "--set", "solver.max_correction_h=0.05").stderr, "")
+
     def test_pictures_are_png(self):
         pictures = self.folder / "pictures"
         result = self.run_scene(self.scene, "--frames", pictures, "--frames-hz", 30)
