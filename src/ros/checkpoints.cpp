@@ -19,12 +19,8 @@ constexpr std::chrono::milliseconds kLook{50};
 
 Checkpoints::Checkpoints(ros::NodeHandle node, const NodeParameters& parameters,
                          const CheckpointFolder& folder, const Resumption& resumed,
-                         SimulationThread& simulation, Frames& frames)
-    : folder_(folder),
-      threads_(parameters.threads),
-      simulation_(simulation),
-      frames_(frames),
-      spinner_(1, &queue_) {
+                         SimulationThread& simulation)
+    : folder_(folder), threads_(parameters.threads), simulation_(simulation), spinner_(1, &queue_) {
   status_.folder = folder_.path();
   status_.broken = resumed.broken;
   status_.latest = status_.resumed = resumed.name;
@@ -75,7 +71,6 @@ bool Checkpoints::load(Load::Request& request, Load::Response& response) {
     const Scene scene = loaded->scene();
     const StepReport report = loaded->report();
     simulation_.load(std::move(loaded));
-    frames_.listenFor(scene);
     response.particles = static_cast<std::uint32_t>(report.particles);
     return "scene " + scene.name + " goes on from frame " + std::to_string(report.frame);
   });

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "checkpoint_folder.h"
-#include "frames.h"
 #include "parameters.h"
 #include "simulation_thread.h"
 
@@ -27,7 +26,7 @@ class Checkpoints {
   /// @param node of the private names @param resumed what the node started from
   Checkpoints(ros::NodeHandle node, const NodeParameters& parameters,
               const CheckpointFolder& folder, const Resumption& resumed,
-              SimulationThread& simulation, Frames& frames);
+              SimulationThread& simulation);
   /// Waits for a file under way, not for the simulation.
   ~Checkpoints();
 
@@ -58,7 +57,6 @@ class Checkpoints {
   const CheckpointFolder folder_;
   const int threads_;
   SimulationThread& simulation_;
-  Frames& frames_;
   std::mutex writing_;  ///< one file at a time
 
   mutable std::mutex mutex_;  ///< guards what follows, up to status_

@@ -52,7 +52,8 @@ void Diagnostics::solver(Status& status) {
   status.summary(Level::OK, now.paused ? "paused" : "running");
   if (limited > 0) {
     status.summary(Level::WARN,
-                   "the speed limit acts; raise solver.max_speed_m_s or solver.substeps");
+                   "the speed limit acts; raise solver.max_speed_m_s or solver.substeps, or move "
+                   "colliders more slowly");
   }
   if (report.correction_limited > kManyCut * double(report.particles) * report.substeps) {
     status.mergeSummary(Level::WARN,
@@ -112,7 +113,11 @@ void Diagnostics::topics(Status& status) {
 void Diagnostics::followers(Status& status) {
   const std::vector<std::string> lost = of_.frames.lost();
   status.summary(Level::OK, "none missing");
-  if (!lost.empty()) status.summary(Level::WARN, joined(lost));
+  const Frames::Jumps jumps = of_.frames.jumps();
+  if (jumps.count > jumps_) status.summary(Level::WARN, jumps.latest);
+  jumps_ = jumps.count;
+  if (!lost.empty()) status.mergeSummary(Level::WARN, joined(lost));
+  status.add("jumps since the start", jumps.count);
 }
 
 void Diagnostics::clock(Status& status) {

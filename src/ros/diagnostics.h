@@ -43,6 +43,7 @@ class Diagnostics {
   std::uint64_t speed_limited_ = 0;
   std::uint64_t correction_limited_ = 0;
   std::uint64_t refused_ = 0;
+  std::uint64_t jumps_ = 0;
   bool clock_missed_ = false;
   ros::WallTimer timer_;
 };

@@ -4,6 +4,8 @@
 #include <ros/console.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <cmath>
+
 #include "geometry.h"
 #include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
@@ -26,35 +28,16 @@ bool same(const Posed& a, const Posed& b) {
   return a.position == b.position && a.rotation == b.rotation;
 }
 
-bool hasFollower(const Scene& scene) {
-  bool follows = false;
-  forEachCollider(scene, [&](const Collider& collider) {
-    follows = follows || !collider.follow_frame.empty();
-  });
-  return follows;
-}
-
 }  // namespace
 
-Frames::Frames(ros::NodeHandle& node, const NodeParameters& parameters, const Scene& scene)
+Frames::Frames(ros::NodeHandle& node, const NodeParameters& parameters)
     : parent_(parameters.frame_id),
       scene_frame_(parameters.scene_frame),
       scene_pose_(poseOf(parameters.scene_position_m, parameters.scene_rpy_deg)),
       dynamic_(node.advertise<tf2_msgs::TFMessage>("/tf", 100)),
       static_(node.advertise<tf2_msgs::TFMessage>("/tf_static", 100, true)),
-      node_(node) {
+      listening_(node, buffer_) {
   buffer_.setUsingDedicatedThread(true);
-  listenFor(scene);
-}
-
-void Frames::listenFor(const Scene& scene) {
-  const std::lock_guard<std::mutex> lock(listener_mutex_);
-  if (hasFollower(scene) && !listener_) listener_ = std::make_unique<Listener>(node_, buffer_);
-}
-
-void Frames::listenLess(const Scene& coming) {
-  const std::lock_guard<std::mutex> lock(listener_mutex_);
-  if (!follows_ && !hasFollower(coming)) listener_.reset();
 }
 
 void Frames::sceneStarted(const Simulation& simulation, const ros::Time& stamp) {
@@ -71,7 +54,7 @@ void Frames::sceneStarted(const Simulation& simulation, const ros::Time& stamp) 
     }
   });
   static_.publish(message);
-  follows_ = !followers_.empty();
+  listening_.want(!followers_.empty());
   setLost({});
 }
 
@@ -83,8 +66,10 @@ void Frames::moveFollowers(Simulation& simulation) {
     try {
       const auto found = buffer_.lookupTransform(scene_frame_, follower.frame, ros::Time(0));
       const Posed frame = poseOf(found.transform);
-      simulation.moveCollider(follower.name, {frame.toWorld(follower.offset.position),
-                                              frame.rotation * follower.offset.rotation});
+      const Vec3d from = simulation.colliderPose(follower.name).position;
+      const Vec3d to = frame.toWorld(follower.offset.position);
+      simulation.moveCollider(follower.name, {to, frame.rotation * follower.offset.rotation});
+      noteJump(follower, simulation.scene(), from, to);
     } catch (const std::exception& e) {
       lost.push_back("collider " + follower.name + ", which follows tf frame " + follower.frame +
                      ", stands still: " + e.what());
@@ -119,15 +104,28 @@ bool Frames::publishFollowers(const Simulation& simulation, const ros::Time& sta
 }
 
 std::vector<std::string> Frames::lost() const {
-  std::vector<std::string> lines;
-  {
-    // Whoever holds it may wait for the master, which diagnostics must not.
-    const std::unique_lock<std::mutex> lock(listener_mutex_, std::try_to_lock);
-    if (lock && listener_) lines = listener_->watch.refused();
-  }
+  std::vector<std::string> lines = listening_.refused();
   const std::lock_guard<std::mutex> lock(mutex_);
   lines.insert(lines.end(), lost_.begin(), lost_.end());
   return lines;
+}
+
+Frames::Jumps Frames::jumps() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return jumps_;
+}
+
+void Frames::noteJump(const Follower& follower, const Scene& scene, const Vec3d& from,
+                      const Vec3d& to) {
+  const double most_m = scene.solver.max_speed_m_s / scene.solver.frame_rate_hz;
+  const double far_m = (to - from).norm();
+  if (far_m <= most_m) return;
+  const std::string to_mm = numberText(std::round(1e3 * far_m) / 1e3);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  jumps_.count += 1;
+  jumps_.latest = "collider " + follower.name + " jumped " + to_mm + " m with tf frame " +
+                  follower.frame + ", and what it holds with it: more than " + numberText(most_m) +
+                  " m in a frame is beyond solver.max_speed_m_s";
 }
 
 void Frames::setLost(std::vector<std::string> lost) {

@@ -3,17 +3,15 @@
 
 #include <ros/node_handle.h>
 #include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
-#include <atomic>
-#include <memory>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <vector>
 
 #include "ice_ice_baby/simulation.h"
 #include "parameters.h"
-#include "tf_watch.h"
+#include "tf_listening.h"
 
 namespace ice_ice_baby {
 
@@ -21,20 +19,12 @@ namespace ice_ice_baby {
 /// frame on /tf. Listens to tf only while the scene has a follower.
 class Frames {
  public:
-  /// @param scene the first one, listened for as by listenFor()
-  Frames(ros::NodeHandle& node, const NodeParameters& parameters, const Scene& scene);
+  Frames(ros::NodeHandle& node, const NodeParameters& parameters);
 
-  /// Listens to tf if `scene` has a follower; may wait for the master, so not for the simulation's
-  /// thread. To be called when the scene is to come.
-  void listenFor(const Scene& scene);
-
-  /// Listens no longer if neither the scene that runs nor `coming` has a follower. May wait.
-  void listenLess(const Scene& coming);
-
-  /// The scene stands at its start.
+  /// The scene stands at its start; never waits, as the next two.
   void sceneStarted(const Simulation& simulation, const ros::Time& stamp);
 
-  /// Moves each follower to where its frame is now, if tf knows; never waits.
+  /// Moves each follower to where its frame is now, if tf knows.
   void moveFollowers(Simulation& simulation);
 
   /// Publishes where the followers are. @returns whether one has moved since the last call
@@ -43,6 +33,13 @@ class Frames {
   /// One line per follower that stands still because tf does not know its frame, or because its
   /// pose cannot be used, and per frame that tf refuses.
   std::vector<std::string> lost() const;
+
+  /// Followers that went further in a frame than the speed limit, so that they jumped.
+  struct Jumps {
+    std::uint64_t count = 0;  ///< since the node started
+    std::string latest;       ///< which, how far
+  };
+  Jumps jumps() const;
 
  private:
   /// A collider and the frame that it is fixed to, at the pose that the scene gives it there.
@@ -57,6 +54,8 @@ class Frames {
   /// Forgets transforms from before a jump back of ROS time.
   void clearAfterJump();
   void setLost(std::vector<std::string> lost);
+  /// @param from, to of a frame
+  void noteJump(const Follower& follower, const Scene& scene, const Vec3d& from, const Vec3d& to);
 
   const std::string parent_;
   const std::string scene_frame_;
@@ -67,21 +66,11 @@ class Frames {
   ros::Time latest_;
   ros::WallTime clear_at_;  ///< 0: no jump
 
-  /// What is there while a scene has a follower.
-  struct Listener {
-    Listener(ros::NodeHandle& node, tf2_ros::Buffer& buffer) : tf(buffer), watch(node) {}
-
-    tf2_ros::TransformListener tf;
-    TfWatch watch;
-  };
-
-  ros::NodeHandle node_;
   tf2_ros::Buffer buffer_;
-  mutable std::mutex listener_mutex_;  ///< guards listener_
-  std::unique_ptr<Listener> listener_;
-  std::atomic<bool> follows_{false};  ///< whether the scene that runs has a follower
-  mutable std::mutex mutex_;          ///< guards lost_
+  mutable std::mutex mutex_;  ///< guards the next two
   std::vector<std::string> lost_;
+  Jumps jumps_;
+  TfListening listening_;
 };
 
 }  // namespace ice_ice_baby

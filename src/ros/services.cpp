@@ -27,13 +27,8 @@ std::string vectorText(const Vec3d& vector) {
 }  // namespace
 
 Services::Services(ros::NodeHandle& node, const NodeParameters& parameters,
-                   SimulationThread& simulation, Frames& frames, const Topics& topics,
-                   const ClockPublisher& clock)
-    : parameters_(parameters),
-      simulation_(simulation),
-      frames_(frames),
-      topics_(topics),
-      clock_(clock) {
+                   SimulationThread& simulation, const Topics& topics, const ClockPublisher& clock)
+    : parameters_(parameters), simulation_(simulation), topics_(topics), clock_(clock) {
   servers_ = {node.advertiseService("get_state", &Services::getState, this),
               node.advertiseService("set_temperature", &Services::setTemperature, this),
               node.advertiseService("heat_region", &Services::heatRegion, this),
@@ -89,7 +84,6 @@ bool Services::reset(Reset::Request& request, Reset::Response& response) {
   return answer(response, [&] {
     const ServedScene served = sceneFor(request);
     simulation_.reset(served);
-    frames_.listenFor(served.scene);  // only now: a refused reset leaves the running scene its tf
     response.particles = static_cast<std::uint32_t>(particleCount(served.scene));
     return "scene " + served.scene.name + " from the start";
   });

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "clock_publisher.h"
-#include "frames.h"
 #include "parameters.h"
 #include "simulation_thread.h"
 #include "topics.h"
@@ -27,7 +26,7 @@ class Services {
  public:
   /// @param node of the private names; its queue may be served by several threads
   Services(ros::NodeHandle& node, const NodeParameters& parameters, SimulationThread& simulation,
-           Frames& frames, const Topics& topics, const ClockPublisher& clock);
+           const Topics& topics, const ClockPublisher& clock);
 
   /// Full names of all services.
   std::vector<std::string> names() const;
@@ -46,7 +45,6 @@ class Services {
 
   const NodeParameters parameters_;
   SimulationThread& simulation_;
-  Frames& frames_;
   const Topics& topics_;
   const ClockPublisher& clock_;
   std::mutex reset_mutex_;  ///< one reset at a time

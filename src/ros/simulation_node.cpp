@@ -46,18 +46,15 @@ SimulationNode::SimulationNode(const ros::NodeHandle& node, const ros::NodeHandl
       resumed_(resumptionOf(parameters_, folder_)),
       scene_(sceneOf(parameters_, resumed_)),
       clock_(node_, parameters_.publish_clock),
-      frames_(node_, parameters_, scene_.scene),
+      frames_(node_, parameters_),
       topics_(private_, parameters_),
       simulation_(scene_, runOptions(), hooks(), std::move(resumed_.simulation)),
-      services_(private_, parameters_, simulation_, frames_, topics_, clock_),
-      checkpoints_(private_, parameters_, folder_, resumed_, simulation_, frames_),
+      services_(private_, parameters_, simulation_, topics_, clock_),
+      checkpoints_(private_, parameters_, folder_, resumed_, simulation_),
       diagnostics_(node_, private_, parameters_,
                    {simulation_, frames_, topics_, clock_, checkpoints_}),
       spinner_(2, &queue_),
-      watch_(serviceNames(), [this] {
-        clock_.checkConflict();
-        frames_.listenLess(simulation_.comingScene()->scene);
-      }) {
+      watch_(serviceNames(), [this] { clock_.checkConflict(); }) {
   spinner_.start();
   const std::string from = resumed_.name.empty() ? "" : ", resumed from " + resumed_.name;
   const StepReport report = simulation_.snapshot().report;

@@ -42,17 +42,20 @@ class Follow(unittest.TestCase):
         self.assertIn('hand', status.message)
         self.assertGreater(self.node.state().frame, 0)  # it runs all the same
 
+    def carry_hand(self, tf, x):
+        """Publishes the hand there until the ball is: 0.2 m above it, the scene 0.1 m along x."""
+        def ball_there():
+            self.put_hand(x)
+            return [t for m in tf.messages[-20:] for t in m.transforms
+                    if t.child_frame_id == BALL
+                    and abs(t.transform.translation.x - (x - 0.1)) < 1e-6
+                    and abs(t.transform.translation.z - 0.2) < 1e-6]
+        return wait_until(ball_there, 'the ball at the hand')[0]
+
     def test_2_follows(self):
         with Latest('/tf', TFMessage) as tf, Latest('/sim/colliders', MarkerArray) as arrays:
             for x in (0.2, -0.15):
-                # The ball is fixed 0.2 m above the hand; the scene stands 0.1 m along x.
-                def ball_there():
-                    self.put_hand(x)
-                    return [t for m in tf.messages[-20:] for t in m.transforms
-                            if t.child_frame_id == BALL
-                            and abs(t.transform.translation.x - (x - 0.1)) < 1e-6
-                            and abs(t.transform.translation.z - 0.2) < 1e-6]
-                found = wait_until(ball_there, 'the ball at the hand')[0]
+                found = self.carry_hand(tf, x)
                 self.assertEqual(found.header.frame_id, 'ice_ice_baby/scene')
                 arrays.wait(lambda a: any(
                     m.ns == 'ball' and abs(m.pose.position.x - (x - 0.1)) < 1e-6
@@ -94,6 +97,20 @@ class Follow(unittest.TestCase):
         wait_until(lambda: not listens(), 'the end of listening')
         self.assertTrue(self.node.reset(scene='followed', preset='').success)
         wait_until(listens, 'listening')
+
+    def test_7_only_what_is_beyond_the_speed_limit_is_a_jump(self):
+        with Latest('/tf', TFMessage) as tf:
+            self.carry_hand(tf, 0.1)
+            status = self.node.diagnostic('followed frames', lambda s: s.level == 0)
+            before = status.values[0].value
+            for k in range(20):
+                self.carry_hand(tf, 0.1 + 0.05 * k)  # 3 m/s at the least
+            status = self.node.diagnostic('followed frames', lambda s: s.level == 0)
+            self.assertEqual(status.values[0].value, before)
+            self.carry_hand(tf, 4.0)
+        status = self.node.diagnostic('followed frames', lambda s: s.values[0].value != before)
+        self.assertIn('collider ball jumped 2.95 m with tf frame hand', status.message)
+        self.assertEqual(self.node.state().non_finite, 0)
 
 
 if __name__ == '__main__':

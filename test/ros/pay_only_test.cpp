@@ -155,7 +155,7 @@ TEST_F(PayOnly, WhoWentCostsNothingMore) {
 }
 
 TEST_F(PayOnly, CollidersThatFollowNothingAreNeitherMovedNorLookedAt) {
-  Frames frames(node_, parameters_, simulation_.scene());
+  Frames frames(node_, parameters_);
   frames.sceneStarted(simulation_, ros::Time::now());
   simulation_.poses = 0;
   for (int k = 0; k < 20; ++k) {

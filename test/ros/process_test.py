@@ -3,12 +3,28 @@
 import os
 import re
 import signal
+import subprocess
 import sys
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from processes import Processes
+
+
+# Holds its connections, so it reaches the node without a master.
+CALLER = """
+import rospy
+from ice_ice_baby.srv import GetState, Reset
+resets = [rospy.ServiceProxy('/sim/reset', Reset, persistent=True) for _ in range(3)]
+state = rospy.ServiceProxy('/sim/get_state', GetState, persistent=True)
+state()
+for reset in resets:
+    reset(scene='small')
+print('connected', flush=True)
+input()
+print([reset(scene='followed').success for reset in resets], state().success)
+"""
 
 
 class Process(Processes):
@@ -89,6 +105,27 @@ class Process(Processes):
         out, _ = second.communicate(timeout=20)
         self.assertEqual(second.returncode, 0, out)
         self.assertIn('Asked to shut down', out)
+
+    def test_resets_to_followers_wait_for_no_master(self):
+        master = self.start_master()
+        node = self.start_node('scene:=small', 'threads:=1')
+        self.state()
+        caller = self.start(sys.executable, '-c', CALLER, stdin=subprocess.PIPE)
+        said = ''
+        while 'connected' not in said:
+            line = caller.stdout.readline()
+            self.assertTrue(line, said)
+            said += line
+        master.terminate()
+        master.communicate(timeout=20)
+        out, _ = caller.communicate('\n', timeout=20)
+        self.assertIn('[True, True, True] True', out)
+        self.start_master()
+        self.assertEqual(self.state()['scene'], 'followed')
+        deadline = time.monotonic() + 20
+        while '/sim' not in self.run_tool('rostopic', 'info', '/tf').stdout.partition('Subscribers')[2]:
+            self.assertLess(time.monotonic(), deadline, 'nobody listens to /tf')
+        self.assert_ends(node, signal.SIGINT, 3.0)
 
     def test_survives_a_restart_of_the_master(self):
         master = self.start_master()
