@@ -39,9 +39,14 @@ LISTS = {
 }
 
 
-# One particle, where what is probed would leave no room for more.
 ALONE = "blocks=[{min_m: [-0.025, -0.025, 0], max_m: [0.025, 0.025, 0.05]}]"
-CROWDED = ("blocks.copies", "containers.size_m")
+
+# Room for what is probed, so that no rule but the range can refuse it.
+ROOM = {
+    "blocks.copies": (f"{ALONE[:-2]}, copies_step_m: [0.05, 0.05, 0.05]}}]", "containers=[]"),
+    "containers.size_m": (ALONE,),
+    "spheres.radius_m": ("spheres=[{name: ball, position_m: [0, 0, -100]}]",),
+}
 
 
 def beyond(end, outwards):
@@ -62,9 +67,7 @@ def value_text(found, number):
 def asked(found, number):
     section, _, name = found.key.rpartition(".")
     path = f"{section}.0.{name}" if section in (*LISTS, "blocks", "containers") else found.key
-    sets = [LISTS[section]] if section in LISTS else []
-    if found.key in CROWDED:
-        sets.append(ALONE)
+    sets = ROOM.get(found.key, (LISTS[section],) if section in LISTS else ())
     # Heat is on where its keys are, so that the ends are run and not only read.
     scene = "frost" if section in ("heat", "ice", "steam") else "pool"
     return Asked(scene, (*sets, f"{path}={value_text(found, number)}"), duration_s=FRAMES_S)

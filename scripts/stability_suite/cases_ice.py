@@ -31,7 +31,7 @@ def instant_freeze(run):
     return checks
 
 
-@case(9)
+@case(9, rise=0.02, because="what freezes lifts what lies on it")
 def absurd_temperatures(run):
     """±10⁶ degrees, NaN and infinity wherever a scene has a temperature: refused by name"""
     for value in ("1e6", "-1e6", ".nan", ".inf", "-.inf", "-273.16", "1000.001"):
@@ -91,7 +91,7 @@ def any_number_of_threads(run):
     return [at_most("scenes that differ in bits", apart, 0)]
 
 
-@case()
+@case(rise=None, because="ice that expands works")
 def frozen_in_a_full_tank(run):
     """A tank full to the lid freezes and has nowhere to expand, with ice lighter and heavier than water: contained"""
     full = ("blocks=[{min_m: [-0.4, -0.2, 0], max_m: [0.4, 0.2, 0.7], celsius: 1}]", "heat.speedup=1e5",
@@ -100,7 +100,7 @@ def frozen_in_a_full_tank(run):
         run("frost", *full, f"ice.density_ratio={ratio}", "schedule=[{at_s: 0, celsius: -100}]", duration_s=2)
 
 
-@case()
+@case(rise=None, because="steam is lifted")
 def all_boils_at_once(run):
     """Boiling at the fastest clock and the greatest flux, and all of it condensed again: contained, counted"""
     end = run("kettle", "heat.speedup=1e7", "containers.0.flux_w_m2=1e7")
@@ -109,7 +109,7 @@ def all_boils_at_once(run):
     return [at_least("steam, of all particles", end.report["most_steam"] / end.report["particles"], 0.5)]
 
 
-@case()
+@case(rise=5e-3, because="crushed in a step")
 def ice_at_a_step_of_a_second(run):
     """Icebergs, hail and frost with a substep of a second: contained"""
     for scene, sets in (("iceberg", ()), ("hail", ()), ("frost", ("schedule=[{at_s: 2, celsius: -100}]",)), ("kettle", ())):
@@ -128,7 +128,7 @@ def greatest_conductivity(run):
         run("iceberg", *fast, *sets)
 
 
-@case()
+@case(rise=0.02, because="springs cut short by the limit of a correction")
 def elastic_ice_that_shatters(run):
     """Elastic ice of every softness is shot at a wall and breaks: contained"""
     for compliance in ("1e-9", "1e-6", "1e-3", "1"):

@@ -12,7 +12,7 @@ from error_runtime.machine import ROOT, about, find_run_scene
 from error_runtime.progress import Progress
 from error_runtime.refusal import Refusal
 
-from . import boundaries, cases, commands, document, long_runs, maps, pictures
+from . import boundaries, cases, commands, document, energy, long_runs, maps, pictures
 from . import cases_ice, cases_water  # noqa: F401  (they fill cases.CASES)
 from .map_list import MAPS
 from .ranges import ranges
@@ -21,18 +21,20 @@ from .runs import Runner
 
 DESCRIPTION = """Drives water, ice and steam to extremes and holds what comes of it to bounds.
 
-Three parts: cases, each with what is expected of it; maps, in which a key is swept over decades across the ends of its
-range; long runs of a million steps. Meaning and the latest figures: doc/stability.md.
+Cases, each with what is expected of it; maps, in which a key is swept over decades across the ends of its range; the
+ends of every range; the energy of shipped scenes; long runs of a million steps. Meaning and figures: doc/stability.md.
 
 Examples:
-  scripts/stability                          # all cases, all maps, the ends of every range
+  scripts/stability                          # all but the long runs
   scripts/stability --case gap_below_a_particle --case GravityThatFlipsEveryFrame
   scripts/stability --map viscosity          # one map, and its picture in the folder --out
   scripts/stability --boundaries             # just inside and just outside the range of every key
+  scripts/stability --energy                 # shipped scenes at 2, 8 and 24 substeps
   scripts/stability --long                   # a million steps of a pool and of an iceberg: half an hour on two cores
   scripts/stability --long --steps 10000     # the same in half a minute
   scripts/stability --list
   scripts/stability --document               # all but the long runs, and doc/stability.md of all that --out holds
+  scripts/stability --write out/stability /tmp/long  # runs nothing: doc/stability.md of what these folders hold
 
 What is finished is kept in --out and not run again by the same program: a suite that was stopped goes on.
 Exit code: 0 all as expected, 1 bad input, 2 something is not as expected, 130 stopped before the end.
@@ -70,7 +72,8 @@ class Suite:
         self.results = Results(self.out, about(self.program, "scripts/stability --document"))
 
     def run(self, wanted):
-        parts = {"cases": self.run_cases, "boundaries": self.run_boundaries, "maps": self.run_maps, "long": self.run_long}
+        parts = {"cases": self.run_cases, "boundaries": self.run_boundaries, "maps": self.run_maps,
+                 "energy": self.run_energy, "long": self.run_long}
         return [part(wanted[name]) for name, part in parts.items() if wanted.get(name)]
 
     def runner(self, timeout_s=LONGEST_CASE_S):
@@ -128,6 +131,15 @@ class Suite:
         print(f"wrote {self.out / 'stability_maps.png'}")
         return all(point.as_expected() for points in found.values() for point in points)
 
+    def run_energy(self, _):
+        bar = Bar(["energy"] * len(energy.SCENES) * len(energy.SUBSTEPS))
+        lines = energy.measure(self.runner(), self.pool, bar)
+        bar.close()
+        for line in lines:
+            print(document.told_energy(line))
+        self.results.put("energy", {f"{line.scene} {line.substeps}": dataclasses.asdict(line) for line in lines})
+        return all(line.lived for line in lines)
+
     def run_long(self, steps):
         bar = Bar([one.name for one in long_runs.LONG])
         runner = self.runner(LONGEST_RUN_S)
@@ -174,10 +186,11 @@ def wanted(args):
     if args.map:
         parts["maps"] = args.map
     parts["boundaries"] = args.boundaries
+    parts["energy"] = args.energy
     parts["long"] = args.steps if args.long else 0
     if any(parts.values()):
         return parts
-    return {"cases": known_cases(args), "boundaries": True, "maps": list(MAPS)}
+    return {"cases": known_cases(args), "boundaries": True, "maps": list(MAPS), "energy": True}
 
 
 def listed():
@@ -193,6 +206,7 @@ def parse():
     parser.add_argument("--case", action="append", metavar="NAME", help="only this case; may stand several times")
     parser.add_argument("--map", action="append", metavar="NAME", help="only this map; may stand several times")
     parser.add_argument("--boundaries", action="store_true", help="only the ends of every range")
+    parser.add_argument("--energy", action="store_true", help="only the energy of shipped scenes")
     parser.add_argument("--long", action="store_true", help="only the long runs")
     parser.add_argument("--steps", type=int, default=1_000_000, help="substeps of a long run (1000000)")
     parser.add_argument("--out", default=str(ROOT / "out" / "stability"), metavar="FOLDER", help="out/stability unless told")
@@ -200,6 +214,8 @@ def parse():
     parser.add_argument("--run-scene", metavar="PATH", help="program; the latest one built unless told")
     parser.add_argument("--commands", metavar="PATH", help="stability_test; that of the same build unless told")
     parser.add_argument("--document", action="store_true", help="write the tables and pictures of doc/stability.md")
+    parser.add_argument("--write", nargs="+", metavar="FOLDER", help="run nothing: write doc/stability.md of the --out "
+                        "folders of earlier runs; of a part that several hold, the last one counts")
     parser.add_argument("--list", action="store_true", help="print the cases, maps and long runs")
     args = parser.parse_args()
     if args.jobs < 1 or args.steps < 1:
@@ -213,10 +229,13 @@ def main():
         print(listed())
         return 0
     try:
+        if args.write:
+            document.write([pathlib.Path(folder) for folder in args.write])
+            return 0
         suite = Suite(args)
         good = suite.run(wanted(args))
         if args.document:
-            document.write(suite.results, suite.out)
+            document.write([suite.out])
     except Refusal as refusal:
         print(f"scripts/stability: {refusal}", file=sys.stderr)
         return 1

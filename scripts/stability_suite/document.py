@@ -7,10 +7,11 @@ from error_runtime.machine import ROOT
 from verification_checks import Check
 
 from . import maps
+from .results import kept
 from .verdict import DEGRADED, REFUSED, STABLE, UNSTABLE, reason
 
 DOCUMENT = ROOT / "doc" / "stability.md"
-PICTURES = ("stability_maps.png", "stability_long.png")
+PICTURES = {"maps": "stability_maps.png", "long": "stability_long.png"}
 
 
 def number(value, scale=1.0, digits=3):
@@ -42,6 +43,11 @@ def told_long(line):
     return "\n".join([f"{line.name}: {line.steps} steps, {number(line.simulated_s)} s", *rows]) + lived
 
 
+def told_energy(line):
+    return (f"{line.scene}, {line.substeps} substeps: risen by {number(line.total, 100)} %, "
+            f"without the elastic part {number(line.mechanical, 100)} %")
+
+
 def told_map(one, points):
     counts = ", ".join(f"{count} {word}" for word, count in sorted(maps.counts(points).items()))
     wrong = [f"  FAIL  {p.verdict}: {reason(p.outcome)}\n        {p.outcome.reproduce()}" for p in points
@@ -71,6 +77,7 @@ def of_map(one, points, ranges):
             "stable in": stretches(own),
             "degraded by": worst(own),
             "range": list(row.range(ranges)),
+            "usual": row.usual(ranges),
             "points": [[point.value, point.verdict] for point in own],
         }
     wrong = [[reason(p.outcome), p.outcome.reproduce()] for p in points if not p.as_expected()]
@@ -100,7 +107,7 @@ def worst(points):
 
 
 def heading(*names):
-    left = {"case", "what", "expected", "holds", "map", "row", "stable in", "degraded most", "run", "value", "why"}
+    left = {"case", "what", "expected", "holds", "map", "row", "stable in", "degraded most", "run", "value", "why", "scene"}
     return ["| " + " | ".join(names) + " |", "|" + "|".join("---" if n in left else "---:" for n in names) + "|"]
 
 
@@ -148,6 +155,17 @@ def map_table(found):
     return "\n".join(rows + (["", "Not as expected:", "", *wrong] if wrong else []))
 
 
+def energy_table(lines):
+    """A row per scene, a pair of columns per number of substeps."""
+    counts = sorted({line["substeps"] for line in lines.values()})
+    rows = heading("scene", *(f"{n} substeps, {what}" for n in counts for what in ("total", "without elastic")))
+    for scene in dict.fromkeys(line["scene"] for line in lines.values()):
+        found = [lines[f"{scene} {n}"] for n in counts]
+        cells = [number(line[what], 100) + " %" for line in found for what in ("total", "mechanical")]
+        rows.append(f"| {scene} | {' | '.join(cells)} |")
+    return "\n".join(rows)
+
+
 def long_table(lines):
     rows = heading("run", "what", "first tenth", "last tenth")
     for line in lines.values():
@@ -161,24 +179,24 @@ TABLES = {
     "cases": case_table,
     "boundaries": boundary_table,
     "maps": map_table,
+    "energy": energy_table,
     "long": long_table,
 }
 
 
-def write(results, out):
-    """Replaces what stands between the markers of each part that has results."""
-    text = DOCUMENT.read_text()
-    for part, table in TABLES.items():
-        lines, about = results.get(part)
-        if not lines:
-            continue
-        begin, end = f"<!-- {part} -->", f"<!-- end of {part} -->"
-        head, tail = text.split(begin)[0], text.split(end)[1]
-        made = f"At commit {about['commit']} on {about['processor']}, {about['date']}:"
-        text = f"{head}{begin}\n{made}\n\n{table(lines)}\n{end}{tail}"
+def write(folders):
+    """Replaces what stands between the markers of each part that a folder holds; of several, by the last that does."""
+    text, pictures = DOCUMENT.read_text(), {}
+    for folder in folders:
+        for part, found in kept(folder).items():
+            begin, end = f"<!-- {part} -->", f"<!-- end of {part} -->"
+            head, tail = text.split(begin)[0], text.split(end)[1]
+            made = f"At commit {found['commit']} on {found['processor']}, {found['date']}:"
+            text = f"{head}{begin}\n{made}\n\n{TABLES[part](found['lines'])}\n{end}{tail}"
+            if (folder / PICTURES.get(part, "")).is_file():
+                pictures[part] = folder / PICTURES[part]
     DOCUMENT.write_text(text)
     print(f"wrote {DOCUMENT}")
-    for name in PICTURES:
-        if (out / name).exists():
-            shutil.copy(out / name, DOCUMENT.parent / "images" / name)
-            print(f"wrote {DOCUMENT.parent / 'images' / name}")
+    for part, picture in pictures.items():
+        shutil.copy(picture, DOCUMENT.parent / "images" / PICTURES[part])
+        print(f"wrote {DOCUMENT.parent / 'images' / PICTURES[part]}")

@@ -42,7 +42,7 @@ def step_sets(step_s):
 def step_map():
     def row(g):
         return Row(f"{g:g}", "splash", lambda step: (f"gravity_m_s2=[0, 0, {-g}]", FAST, *step_sets(step)),
-                   lambda step: min(10 * LONGEST_S, MOST_SUBSTEPS * step), ends=(1e-7, 1.0))
+                   lambda step: min(10 * LONGEST_S, MOST_SUBSTEPS * step), ends=(1e-7, 1.0), default=1 / 360)
 
     rows = [row(g) for g in (0.1, 9.81, 100, 1000)]
     return Map("step", "Step", "substep, s", decades(1e-8, 1e1), "gravity, m/s²", rows)
@@ -51,7 +51,7 @@ def step_map():
 def gravity_map():
     rows = [
         Row(f"{n}", "splash", lambda g, n=n: (f"solver.substeps={n}", FAST, f"gravity_m_s2=[0, 0, {number(-g)}]"),
-            always(min(LONGEST_S, CRUSHED_SUBSTEPS / (60 * n))), "gravity_m_s2")
+            always(min(LONGEST_S, CRUSHED_SUBSTEPS / (60 * n))), "gravity_m_s2", default=9.81)
         for n in (1, 2, 6, 12, 30)
     ]
     return Map("gravity", "Gravity", "gravity, m/s²", decades(1e-3, 1e5), "substeps", rows)

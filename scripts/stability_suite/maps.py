@@ -33,12 +33,20 @@ class Row:
     seconds: typing.Callable
     key: str = ""
     ends: tuple = ()
+    default: float = None
 
     def range(self, ranges):
         if self.ends:
             return self.ends
         found = ranges[re.sub(r"\.\d+\.", ".", self.key)]
         return found.low, found.high
+
+    def usual(self, ranges):
+        """What the key is when nobody says otherwise; None where there is no such value."""
+        if self.default is not None:
+            return self.default
+        found = ranges.get(re.sub(r"\.\d+\.", ".", self.key))
+        return float(found.default) if found and not found.vector else None
 
     def points(self, values, ranges):
         """Swept values, and those beside the ends of the range."""

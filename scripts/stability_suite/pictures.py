@@ -1,13 +1,18 @@
 """Pictures of doc/stability.md. Needs matplotlib."""
 
+import math
+
 from .verdict import DEGRADED, REFUSED, STABLE, UNSTABLE
 
 LOOKS = {
-    STABLE: {"color": "#2a9d5c", "marker": "s", "s": 16},
-    DEGRADED: {"color": "#e9b44c", "marker": "s", "s": 16},
-    REFUSED: {"color": "#9aa0a8", "marker": "x", "s": 12, "linewidths": 0.8},
-    UNSTABLE: {"color": "#c1121f", "marker": "X", "s": 60},
+    STABLE: {"facecolor": "#3a9d6a", "edgecolor": "white"},
+    DEGRADED: {"facecolor": "#efb73e", "edgecolor": "white"},
+    REFUSED: {"facecolor": "#e6e8eb", "hatch": "//////", "edgecolor": "#b4b8be"},
+    UNSTABLE: {"facecolor": "#b3001b", "edgecolor": "white"},
 }
+HEIGHT = 0.72  # of a row of cells, of the distance between rows
+STYLE = {"font.size": 9.5, "axes.titlesize": 11, "axes.titleweight": "bold", "axes.titlelocation": "left",
+         "axes.spines.top": False, "axes.spines.right": False, "axes.spines.left": False, "hatch.linewidth": 0.5}
 
 
 def plotting():
@@ -19,31 +24,57 @@ def plotting():
     return pyplot
 
 
+def cells(values):
+    """Where the cell of each value begins and ends: half way, in decades, to those beside it."""
+    logs = [math.log10(value) for value in values]
+    inner = [(low + high) / 2 for low, high in zip(logs, logs[1:])]
+    borders = [10**log for log in (2 * logs[0] - inner[0], *inner, 2 * logs[-1] - inner[-1])]
+    return list(zip(borders, borders[1:]))
+
+
 def panel(place, one):
     """one: of stability.json, as document.of_map made it."""
     for k, row in enumerate(one["rows"].values()):
-        for word, look in LOOKS.items():
-            chosen = [value for value, verdict in row["points"] if verdict == word]
-            place.scatter(chosen, [k] * len(chosen), label=word if k == 0 else None, **look)
+        for (low, high), (_, verdict) in zip(cells([value for value, _ in row["points"]]), row["points"]):
+            # A point a hair beside an end has a cell too thin for a border.
+            place.barh(k, high - low, left=low, height=HEIGHT, linewidth=0.6 if high > 1.01 * low else 0, **LOOKS[verdict])
         for end in row["range"]:
             if end > 0:
-                place.plot([end, end], [k - 0.45, k + 0.45], color="black", lw=0.8)
+                place.plot([end, end], [k - 0.48, k + 0.48], color="black", lw=1.6, solid_capstyle="butt")
+        if row["usual"]:
+            place.plot(row["usual"], k, marker="o", color="white", markeredgecolor="black", markersize=4.5)
     count = len(one["rows"])
-    place.set(xscale="log", title=one["title"], xlabel=one["what"], ylabel=one["across"], ylim=(-0.6, count - 0.4))
-    place.set_yticks(range(count), one["rows"], fontsize=7)
+    first, *_, last = (value for value, _ in next(iter(one["rows"].values()))["points"])
+    place.set(xscale="log", title=one["title"], xlabel=one["what"], ylabel=one["across"], ylim=(-0.6, count - 0.4),
+              xlim=(first / 1.6, last * 1.6))
+    place.set_yticks(range(count), one["rows"])
+    place.tick_params(left=False)
+
+
+def legend(drawing):
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    keys = [Patch(label=word, **look) for word, look in LOOKS.items()]
+    keys += [Line2D([], [], color="black", marker="|", ls="", markersize=12, markeredgewidth=1.6, label="end of the range"),
+             Line2D([], [], color="white", marker="o", markeredgecolor="black", ls="", markersize=6, label="default")]
+    drawing.legend(handles=keys, loc="upper center", ncols=len(keys), frameon=False, fontsize=11)
 
 
 def draw_maps(maps, path):
     pyplot = plotting()
-    rows = (len(maps) + 1) // 2
-    drawing, places = pyplot.subplots(rows, 2, figsize=(11, 1.9 * rows), constrained_layout=True, squeeze=False)
-    for place in places.flat[len(maps):]:
-        place.axis("off")
-    for place, one in zip(places.flat, maps):
-        panel(place, one)
-    drawing.suptitle(" ")  # room for the legend
-    drawing.legend(*places.flat[0].get_legend_handles_labels(), loc="upper center", ncols=4, frameon=False)
-    drawing.savefig(path, dpi=100)
+    tallest = [max(len(one["rows"]) for one in maps[k:k + 2]) for k in range(0, len(maps), 2)]
+    heights = [1.15 + 0.27 * rows for rows in tallest]
+    with pyplot.rc_context(STYLE):
+        drawing, places = pyplot.subplots(len(tallest), 2, figsize=(13, sum(heights) + 0.5), height_ratios=heights,
+                                          layout="constrained", squeeze=False)
+        for place in places.flat[len(maps):]:
+            place.axis("off")
+        for place, one in zip(places.flat, maps):
+            panel(place, one)
+        drawing.suptitle(" ", fontsize=16)  # room for the legend
+        legend(drawing)
+        drawing.savefig(path, dpi=100)
     pyplot.close(drawing)
 
 

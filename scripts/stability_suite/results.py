@@ -3,6 +3,7 @@
 import json
 import math
 
+from error_runtime.refusal import Refusal
 from error_runtime.store import write_atomically
 
 
@@ -15,12 +16,20 @@ def plain(value):
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
+def kept(folder):
+    """Of each part that a folder of the suite holds: its lines, and of what and when."""
+    path = folder / "stability.json"
+    if not path.exists():
+        raise Refusal(f"{folder} holds no stability.json; name the folder --out of an earlier run")
+    return json.loads(path.read_text())
+
+
 class Results:
     """A part keeps the lines that this time were not asked for."""
 
     def __init__(self, out, about):
         self.path, self.about = out / "stability.json", about
-        self.parts = json.loads(self.path.read_text()) if self.path.exists() else {}
+        self.parts = kept(out) if self.path.exists() else {}
 
     def put(self, part, lines):
         before = self.parts.get(part, {}).get("lines", {})

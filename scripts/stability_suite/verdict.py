@@ -7,7 +7,8 @@ WORDS = (STABLE, DEGRADED, REFUSED, UNSTABLE)
 
 # Beyond these a run that stays up is called degraded. Water at rest at the default has 0.6 % and 0 %.
 MOST_ERROR = 0.02  # mean density error
-MOST_RISE = 0.05  # energy risen without work, of what the scene holds
+MOST_RISE = 0.01  # energy risen without work, of what the scene holds
+MOST_CUT = 0.01  # corrections that were cut, per particle and substep
 
 
 def worse(value, bound):
@@ -15,13 +16,13 @@ def worse(value, bound):
     return not math.isnan(value) and value > bound
 
 
-def limited(report):
-    """How often a limit acted: on the speed, or on what one iteration may correct."""
-    return report["speed_limited"]
+def cut_share(report):
+    """Corrections that solver.max_correction_h cut short, per particle and substep."""
+    return report["correction_limited"] / max(1, report["particles"] * report["steps"])
 
 
 def energy_rise(outcome):
-    """Without work; steam rises by heat, which is work."""
+    """Without work, of what the scene holds; steam is lifted by heat, which is work."""
     return math.nan if outcome.report.get("most_steam", 0) > 0 else outcome.face("energy_rise")
 
 
@@ -31,7 +32,7 @@ def verdict(outcome):
     if not outcome.survived():
         return UNSTABLE
     report = outcome.report
-    if limited(report) > 0 or worse(report["density_error_mean"], MOST_ERROR):
+    if report["speed_limited"] > 0 or cut_share(report) > MOST_CUT or worse(report["density_error_mean"], MOST_ERROR):
         return DEGRADED
     return DEGRADED if worse(energy_rise(outcome), MOST_RISE) else STABLE
 
@@ -45,8 +46,10 @@ def reason(outcome):
         words.append(f"{report['non_finite']} values not finite")
     if report["escaped"]:
         words.append(f"{report['escaped']} particles escaped")
-    if limited(report):
-        words.append(f"slowed {limited(report)} times")
+    if report["speed_limited"]:
+        words.append(f"slowed {report['speed_limited']} times")
+    if cut_share(report) > MOST_CUT:
+        words.append(f"{100 * cut_share(report):.3g} corrections cut per hundred particle substeps")
     if worse(report["density_error_mean"], MOST_ERROR):
         words.append(f"density error {100 * report['density_error_mean']:.3g} %")
     if worse(energy_rise(outcome), MOST_RISE):

@@ -1,4 +1,5 @@
 """Contract of scripts/stability: exit codes, what it keeps, and how it judges and reads ranges."""
+import contextlib
 import json
 import pathlib
 import subprocess
@@ -6,11 +7,13 @@ import sys
 import tempfile
 import types
 import unittest
+import unittest.mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "scripts"))
-from stability_suite import long_runs, maps, verdict  # noqa: E402
+from stability_suite import cases, document, energy, long_runs, maps, pictures, results, verdict  # noqa: E402
+from stability_suite import cases_ice, cases_water  # noqa: E402, F401  (they fill cases.CASES)
 from stability_suite.map_list import MAPS, step_sets  # noqa: E402
 from stability_suite.ranges import parse  # noqa: E402
 
@@ -18,7 +21,8 @@ RUN_SCENE = sys.argv.pop()
 
 
 def outcome(status="ran", **report):
-    told = {"non_finite": 0, "escaped": 0, "speed_limited": 0, "density_error_mean": 0.001, "error": {}, **report}
+    told = {"particles": 100, "steps": 10, "non_finite": 0, "escaped": 0, "speed_limited": 0, "correction_limited": 0,
+            "density_error_mean": 0.001, "error": {}, **report}
     finite, inside = told["non_finite"] == 0, told["escaped"] == 0
     lived = status in ("ran", "unstable") and finite and inside
     return types.SimpleNamespace(status=status, message="", report=told, survived=lambda: lived,
@@ -29,12 +33,20 @@ class Verdict(unittest.TestCase):
     def test_four_words(self):
         self.assertEqual(verdict.verdict(outcome()), "stable")
         self.assertEqual(verdict.verdict(outcome("refused")), "refused")
-        for worse in ({"speed_limited": 1}, {"density_error_mean": 0.5}, {"error": {"energy_rise": 0.5}}):
+        for worse in ({"speed_limited": 1}, {"density_error_mean": 0.5}, {"error": {"energy_rise": 0.02}},
+                      {"correction_limited": 11}):
             self.assertEqual(verdict.verdict(outcome(**worse)), "degraded", worse)
         for lost in ({"non_finite": 1}, {"escaped": 1}):
             self.assertEqual(verdict.verdict(outcome("unstable", **lost)), "unstable", lost)
         for end in ("crashed", "stopped"):
             self.assertEqual(verdict.verdict(outcome(end)), "unstable")
+
+    def test_a_few_corrections_may_be_cut(self):
+        self.assertEqual(verdict.verdict(outcome(correction_limited=10)), "stable")
+
+    def test_what_steam_lifts_is_not_judged(self):
+        lifted = {"error": {"energy_rise": 2.0}}
+        self.assertEqual(verdict.verdict(outcome(most_steam=5, **lifted)), "stable")
 
     def test_a_limit_that_run_scene_calls_unstable_is_degraded(self):
         self.assertEqual(verdict.verdict(outcome("unstable", speed_limited=900)), "degraded")
@@ -76,6 +88,17 @@ class Maps(unittest.TestCase):
             self.assertAlmostEqual(rate * substeps * step, 1.0, 6)
             self.assertLessEqual(max(rate / 1e4, substeps / 1e3), 1 + 1e-9)
 
+    def test_cells_meet_half_way_and_at_the_ends_of_a_range(self):
+        borders = pictures.cells([1.0, 100.0, 1e4 * (1 - 1e-6), 1e4 * (1 + 1e-6), 1e6])
+        self.assertEqual([high for _, high in borders][:-1], [low for low, _ in borders][1:])
+        for (_, high), expected in zip(borders, (10, 1e3, 1e4, 1e5, 1e7)):
+            self.assertAlmostEqual(high / expected, 1, 5)
+
+    def test_the_default_of_a_key_is_known(self):
+        found = parse((ROOT / "config" / "default.yaml").read_text())
+        usual = {name: MAPS[name].rows[0].usual(found) for name in ("gravity", "viscosity", "density", "impact")}
+        self.assertEqual(usual, {"gravity": 9.81, "viscosity": 30, "density": 1000, "impact": None})
+
     def test_decades(self):
         self.assertEqual(maps.decades(0.1, 10), [0.1, 0.215, 0.464, 1.0, 2.15, 4.64, 10.0])
 
@@ -90,6 +113,39 @@ class LongRuns(unittest.TestCase):
         grown = long_runs.checks({**still, "resident memory, MiB": np.linspace(50, 60, 1000)})
         self.assertTrue(all(check.passed() for check in flat))
         self.assertEqual([check.what for check in grown if not check.passed()], ["memory grown"])
+
+
+class Energy(unittest.TestCase):
+    def test_rise_is_above_the_running_minimum(self):
+        import numpy as np
+
+        self.assertEqual(energy.rise(np.array([5.0, 3, 4, 1, 3, 2])), 2.0)
+
+    def test_a_case_has_to_keep_its_bound_or_tell_why_not(self):
+        one = cases.Case("", 0, "", "", None, cases.MOST_RISE, "")
+        told = cases.Case("", 0, "", "", None, None, "steam is lifted")
+        self.assertTrue(cases.rise_checks(one, 5e-4)[0].passed())
+        self.assertFalse(cases.rise_checks(one, 2e-3)[0].passed())
+        self.assertTrue(cases.rise_checks(told, 9.0)[0].passed())
+        for known in cases.CASES.values():
+            self.assertEqual(known.rise == cases.MOST_RISE, not known.because, known.name)
+
+
+class Document(unittest.TestCase):
+    def test_of_a_part_that_several_folders_hold_the_last_one_counts(self):
+        with tempfile.TemporaryDirectory() as name:
+            here = pathlib.Path(name)
+            page = here / "page.md"
+            page.write_text("head\n<!-- energy -->\n<!-- end of energy -->\ntail\n")
+            for folder, total in (("first", 0.5), ("last", 0.25)):
+                (here / folder).mkdir()
+                line = {"scene": "sheet", "substeps": 2, "total": total, "mechanical": 1.0}
+                results.Results(here / folder, {"commit": folder, "processor": "", "date": ""}).put("energy", {"sheet 2": line})
+            with unittest.mock.patch.object(document, "DOCUMENT", page), contextlib.redirect_stdout(None):
+                document.write([here / "first", here / "last"])
+            self.assertIn("commit last", page.read_text())
+            self.assertIn("| sheet | 25 % | 100 % |", page.read_text())
+            self.assertTrue(page.read_text().endswith("<!-- end of energy -->\ntail\n"))
 
 
 class Program(unittest.TestCase):
@@ -114,7 +170,8 @@ class Program(unittest.TestCase):
         self.assertEqual(kept, {path: path.stat().st_mtime_ns for path in self.out.glob("runs/*/outcome.json")})
 
     def test_bad_input_is_said_in_a_line(self):
-        for words, clue in ((["--case", "one_partikle"], "one_particle"), (["--map", "steps"], "step, gravity")):
+        for words, clue in ((["--case", "one_partikle"], "one_particle"), (["--map", "steps"], "step, gravity"),
+                            (["--write", self.out], "stability.json")):
             done = self.stability(*words)
             self.assertEqual(done.returncode, 1, words)
             self.assertIn(clue, done.stderr)

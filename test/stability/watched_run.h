@@ -61,12 +61,14 @@ struct Figures {
 class WatchedRun {
  public:
   /// @param figures gets those of the run at its end
-  WatchedRun(Figures& figures, const Scene& scene)
-      : figures_(figures), simulation_(makeSimulation(scene, Precision::kFloat, 1)) {
+  WatchedRun(Figures& figures, std::unique_ptr<Simulation> simulation)
+      : figures_(figures), simulation_(std::move(simulation)) {
     simulation_->sample(particles_);
     started_with_ = particles_.size();
     watches_ = watchesFor(view());
   }
+  WatchedRun(Figures& figures, const Scene& scene)
+      : WatchedRun(figures, makeSimulation(scene, Precision::kFloat, 1)) {}
   ~WatchedRun() { figures_.add(record_, simulation_->report(), face("energy_rise")); }
   WatchedRun(const WatchedRun&) = delete;
   WatchedRun& operator=(const WatchedRun&) = delete;
@@ -75,6 +77,8 @@ class WatchedRun {
   Simulation* operator->() { return simulation_.get(); }
   const std::vector<ParticleSample>& particles() const { return particles_; }
   double fastest_m_s() const { return record_.fastest_m_s; }
+  /// Mean over the particles, now.
+  double densityError() { return simulation_->measureDensityError().mean; }
 
   void frames(int count) {
     for (int k = 0; k < count && !testing::Test::HasFailure(); ++k) frame();
