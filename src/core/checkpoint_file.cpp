@@ -82,7 +82,7 @@ bool replace(const fs::path& target, const fs::path& part, std::string_view byte
 fs::path targetOf(const std::string& path) {
   std::error_code error;
   const fs::path absolute = path.empty() ? fs::path() : fs::absolute(path, error);
-  const fs::path target = fs::weakly_canonical(absolute, error);
+  fs::path target = fs::weakly_canonical(absolute, error);
   if (error || path.empty() || (fs::exists(target) && !fs::is_regular_file(target))) {
     throw InvalidInput("cannot save the checkpoint to \"" + path +
                        "\": that is not a file; name one, as run.ckpt");

@@ -78,7 +78,7 @@ Vec3<Real> Colliders<Real>::respond(const Vec3<Real>& from, const Vec3<Real>& to
   Vec3<Real> end = to;
   std::size_t pushes = 0;
   const auto push = [&](const auto& body, const Vec3<Real>& wanted) {
-    const Vec3<Real> pushed = contact(body, from, wanted, stick);
+    Vec3<Real> pushed = contact(body, from, wanted, stick);
     if (pushed != wanted) ++pushes;
     return pushed;
   };
@@ -153,8 +153,8 @@ Vec3<Real> Colliders<Real>::nearestFree(const Vec3<Real>& from, const Vec3<Real>
     Real nearest = std::numeric_limits<Real>::max();
     for (int k = 0; k < 27; ++k) {
       if (k == 13) continue;
-      const Vec3<Real> way(Real(k % 3 - 1), Real(k / 3 % 3 - 1), Real(k / 9 - 1));
-      Vec3<Real> place = from + distance * way.normalized();
+      const Eigen::Vector3i way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+      Vec3<Real> place = from + distance * way.cast<Real>().normalized();
       if (!settleRound(from, place) || (place - from).squaredNorm() >= nearest) continue;
       best = place;
       nearest = (place - from).squaredNorm();

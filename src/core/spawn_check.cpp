@@ -44,8 +44,9 @@ class Solids {
     faces_.take(solids_);
     const auto add = [&](const auto& colliders, const std::string& what, const std::string& list) {
       for (std::size_t k = 0; k < colliders.size(); ++k) {
-        words_.push_back(what + colliders[k].name + " (" + list + "." + std::to_string(k) + ")");
         keys_.push_back(list + "." + std::to_string(k));
+        words_.push_back(what);
+        words_.back().append(colliders[k].name).append(" (").append(keys_.back()).append(")");
       }
     };
     add(scene.containers, "container ", "containers");

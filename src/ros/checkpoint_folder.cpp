@@ -98,6 +98,7 @@ std::vector<std::string> CheckpointFolder::names() const {
   }
   std::sort(found.rbegin(), found.rend());
   std::vector<std::string> names;
+  names.reserve(found.size());
   for (auto& [time, name] : found) names.push_back(std::move(name));
   return names;
 }

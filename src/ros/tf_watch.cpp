@@ -36,7 +36,8 @@ std::vector<std::string> TfWatch::refused() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<std::string> lines;
   for (const auto& [frame, why] : refused_) {
-    lines.push_back("tf frame " + frame + " cannot be used: " + why);
+    lines.emplace_back("tf frame ");
+    lines.back().append(frame).append(" cannot be used: ").append(why);
   }
   return lines;
 }

@@ -153,6 +153,21 @@ TYPED_TEST(DensityConstraintTest, LatticeThatFillsAClosedBoxIsAtRestUpToTheCorne
   }
 }
 
+// Pairs cancel out, so all that is left of too dense a block in a corner is what its walls push.
+TEST(DensityConstraintMomentum, WallsPushOutOfTheirCornerAllAlike) {
+  Scene scene = sceneOf(KernelPair::kCubic);
+  scene.containers.push_back(test::tankOf(Vec3d::Constant(1.0), false));
+  const Cloud<double> cloud(test::lattice(6, 0.045, {-0.5, -0.5, 0}), 0.1);
+  const Colliders<double> colliders(scene, 0.0225);
+  const WallDensity<double> walls(
+      scene, colliders, particleMass_kg(scene.fluid, 0.1) / scene.fluid.rest_density_kg_m3);
+  const auto constraint = solved(scene, cloud, &walls);
+  const double moved = test::sumOfNorms(constraint->deltaP());
+  const Vec3d pushed = test::sumOf(constraint->deltaP());
+  EXPECT_GT(pushed.minCoeff(), 0.01 * moved) << pushed.transpose() << " of " << moved;
+  EXPECT_LT(pushed.maxCoeff() - pushed.minCoeff(), 1e-6 * moved) << pushed.transpose();
+}
+
 TEST(DensityConstraintMomentum, InternalCorrectionsSumToNothing) {
   for (const KernelPair pair : {KernelPair::kCubic, KernelPair::kPoly6Spiky}) {
     Scene scene = sceneOf(pair);
@@ -210,6 +225,28 @@ TYPED_TEST(DensityConstraintTest, CorrectionsStayWithinTheLargestAllowed) {
     largest = std::max(largest, double(constraint->deltaP().at(i).norm()));
   }
   EXPECT_NEAR(largest, 0.002, 1e-7);
+}
+
+// The corrections of a constant pressure go with the square of the substep.
+TYPED_TEST(DensityConstraintTest, AWarmStartFollowsTheSquareOfTheSubstep) {
+  Scene scene = sceneOf(KernelPair::kCubic);
+  scene.solver.warm_start = 0.5;
+  Cloud<TypeParam> cloud(test::randomPoints(200, Vec3d::Zero(), Vec3d::Constant(0.2), 25), 0.1);
+  DensityConstraint<TypeParam> constraint(scene, nullptr);
+  constraint.warmStart(cloud.particles);
+  constraint.computeLambda(cloud.particles, cloud.neighbours);
+  constraint.computeDeltaP(cloud.particles, cloud.neighbours);
+  constraint.rescaleWarmStart(0.5);
+  const VectorField<TypeParam> before = cloud.particles.predicted;
+  constraint.warmStart(cloud.particles);
+  double largest = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Vec3<TypeParam> moved = cloud.particles.predicted.at(i) - before.at(i);
+    const Vec3<TypeParam> wanted = TypeParam(0.5 * 0.25) * constraint.deltaP().at(i);
+    EXPECT_LT(double((moved - wanted).norm()), 1e-7) << i;
+    largest = std::max(largest, double(wanted.norm()));
+  }
+  EXPECT_GT(largest, 1e-5);
 }
 
 TYPED_TEST(DensityConstraintTest, CoincidentAndNearlyCoincidentParticlesStayFinite) {

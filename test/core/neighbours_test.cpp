@@ -103,6 +103,17 @@ TYPED_TEST(NeighboursTest, OutlierFarAway) {
   }
 }
 
+// Cells of a support radius end 105 km away; what is further off lies in the last one.
+TYPED_TEST(NeighboursTest, OutliersBeyondTheLastCell) {
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<Vec3d> points = randomPoints(200, Vec3d::Zero(), Vec3d::Constant(0.4), 8);
+    for (const Vec3d& p : randomPoints(50, Vec3d::Zero(), Vec3d::Constant(0.4), 9)) {
+      points.push_back(p + 2e5 * Vec3d::Unit(axis));
+    }
+    this->expectEveryPair(points, "beyond");
+  }
+}
+
 TYPED_TEST(NeighboursTest, TinyClusterInAWideSpread) {
   std::vector<Vec3d> points = randomPoints(300, Vec3d::Constant(-20), Vec3d::Constant(20), 6);
   for (const Vec3d& p : randomPoints(100, Vec3d::Constant(1), Vec3d::Constant(1.001), 7)) {
