@@ -131,7 +131,7 @@ def case_row(line):
 def case_table(lines):
     rows = heading("case", "what", "finite, inside", "particles", "fastest m/s", "density error %", "energy risen %",
                    "simulated s", "substeps", "wall s", "bounds", "holds")
-    ordered = sorted(lines.values(), key=lambda line: (line["number"] or 100, line["name"]))
+    ordered = sorted(lines.values(), key=lambda line: (line["number"] or 100, line["name"].casefold()))
     return "\n".join([*rows, *map(case_row, ordered)])
 
 

@@ -13,7 +13,7 @@ DURATION_S = 2.0
 
 @dataclasses.dataclass
 class Balance:
-    """Rises relative to what the scene holds. mechanical: of kinetic and potential energy alone; lived: finite, inside."""
+    """Rises relative to what the fall sets free. mechanical: of kinetic and potential energy alone; lived: finite, inside."""
 
     scene: str
     substeps: int
@@ -37,7 +37,7 @@ def measure(runner, pool, bar):
         bar.end("energy", outcome.seconds)
         series = outcome.series()
         mechanical_j, total_j = series["kinetic_energy_j"] + series["potential_energy_j"], series["total_energy_j"]
-        scale_j = (total_j[-1] - total_j[0]) / outcome.face("energy_drift")
+        scale_j = mechanical_j[0] - series["potential_energy_j"].min()
         return Balance(scene, substeps, rise(mechanical_j) / scale_j, rise(total_j) / scale_j,
                        outcome.report["fastest_m_s"], outcome.survived(), outcome.reproduce())
 

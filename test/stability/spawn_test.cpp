@@ -103,7 +103,7 @@ TEST_F(Spawns, TooFullInCode) {
   full.containers[0].size_m = Vec3d::Constant(0.5);
   {
     WatchedRun run(figures_, unchecked(full, 1));
-    run.frames(60);
+    run.frames(15);
     EXPECT_GT(run.densityError(), 6.0);
   }
   Scene crowd = splashOf(std::vector<Block>(2, blockOf({-0.5, -0.5, 0}, {0.5, 0.5, 0.5})));
@@ -136,7 +136,7 @@ TEST_F(Spawns, OverlappingSpawnInCode) {
   const Block aside = blockOf({-0.475, -0.25, 0.1}, {-0.075, 0.225, 0.7});
   for (const Block& other : {block, aside}) {
     WatchedRun run(figures_, unchecked(splashOf({block, other}), 1));
-    run.frames(240);
+    run.frames(90);
     EXPECT_LT(run.densityError(), 0.02);
   }
 }
