@@ -129,7 +129,11 @@ class OwnNode:
     def __exit__(self, *_):
         for child in reversed(self.children):
             child.send_signal(signal.SIGINT)
-            child.wait(timeout=20)
+            try:
+                child.wait(timeout=20)
+            except subprocess.TimeoutExpired:  # a master may wait for connections that nobody ends
+                child.kill()
+                child.wait()
         self.folder.cleanup()
 
     def running(self):

@@ -2,13 +2,20 @@
 import pathlib
 import sys
 import unittest
+import unittest.mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "scripts"))
 
 from error_runtime import (  # noqa: E402
-    choices, grid, labels, pareto, points, progress, runner, trajectory)
+    choices, grid, labels, machine, pareto, points, progress, runner, trajectory)
 from error_runtime.refusal import Refusal  # noqa: E402
+
+
+class Machine(unittest.TestCase):
+    def test_needs_no_git(self):
+        with unittest.mock.patch.dict("os.environ", PATH=""):
+            self.assertEqual(machine.commit(), "unknown")
 
 
 class Grid(unittest.TestCase):
