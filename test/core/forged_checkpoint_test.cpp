@@ -54,7 +54,7 @@ std::string edited(std::string bytes, std::size_t first, Random& random) {
   const std::size_t at = place();
   switch (int(random.uniform(0, 6))) {
     case 0:
-      bytes[at] = char(random.uniform(0, 256));
+      bytes[at] = char(static_cast<unsigned char>(random.uniform(0, 256)));
       break;
     case 1:
       put(bytes, at, float(anySize(random, 38)));

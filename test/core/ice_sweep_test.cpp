@@ -51,11 +51,12 @@ TYPED_TEST(IceSweepTest, CollisionsOffTheCentreKeepBothMomentaAndMakeNoEnergy) {
   Random random(91);
   int met = 0, free = 0;
   for (int k = 0; k < 100; ++k) {
-    IceRig<TypeParam> rig(
-        freeSpace(),
-        {brick({3, 2, 4}, kSpacing_m, {-0.5, 0, 0}, 180 * random.direction()),
-         brick({2, 3, 2}, kSpacing_m, {0.5, random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)},
-               180 * random.direction())});
+    // One by one, as compilers differ in the order of arguments.
+    const Vec3d turn_a = 180 * random.direction();
+    const Vec3d turn_b = 180 * random.direction();
+    const Vec3d beside{0.5, random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
+    IceRig<TypeParam> rig(freeSpace(), {brick({3, 2, 4}, kSpacing_m, {-0.5, 0, 0}, turn_a),
+                                        brick({2, 3, 2}, kSpacing_m, beside, turn_b)});
     const double speed = std::pow(10.0, random.uniform(1.3, 3));
     rig.launch(0, {speed, 0, 0}, 5 * random.direction());
     rig.launch(1, {-speed, 0, 0}, 5 * random.direction());
