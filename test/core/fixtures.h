@@ -118,6 +118,14 @@ inline Container tankOf(const Vec3d& size, bool open_top, const std::string& nam
   return tank;
 }
 
+inline Sphere ball(const Vec3d& centre, double radius_m) {
+  Sphere one;
+  one.name = "ball";
+  one.position_m = centre;
+  one.radius_m = radius_m;
+  return one;
+}
+
 /// A cube of n^3 particles at 5 cm floating free, gravity off.
 inline Scene floatingCube(int n) {
   Scene scene;

@@ -8,6 +8,7 @@
 namespace ice_ice_baby {
 namespace {
 
+using test::ball;
 using test::blockOf;
 using test::Random;
 
@@ -21,14 +22,6 @@ Scene pool() {
   scene.blocks.push_back(blockOf({-0.5, -0.4, 0}, {0.5, 0.4, 0.3}));
   scene.containers.push_back(test::tankOf({1, 0.8, 0.8}, false));
   return scene;
-}
-
-Sphere ball(const Vec3d& centre, double radius) {
-  Sphere one;
-  one.name = "ball";
-  one.position_m = centre;
-  one.radius_m = radius;
-  return one;
 }
 
 std::vector<ParticleSample> samplesOf(const Simulation& simulation) {

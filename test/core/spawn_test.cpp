@@ -9,6 +9,7 @@
 namespace ice_ice_baby {
 namespace {
 
+using test::ball;
 using test::blockOf;
 using test::Random;
 
@@ -28,14 +29,6 @@ Scene tankWithWater() {
   scene.blocks.push_back(blockOf({-0.1, -0.1, 0.2}, {0.1, 0.1, 0.4}));
   scene.containers.push_back(test::tankOf({1, 1, 1}, false));
   return scene;
-}
-
-Sphere ball(const Vec3d& centre, double radius) {
-  Sphere one;
-  one.name = "ball";
-  one.position_m = centre;
-  one.radius_m = radius;
-  return one;
 }
 
 TEST(SpawnTest, WaterInColliderIsRefusedByTheKeysOfBoth) {

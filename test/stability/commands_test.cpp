@@ -18,17 +18,7 @@ using test::WatchedRun;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-class Commands : public testing::Test {
- protected:
-  static void line(int number, const char* title, const char* expected) {
-    RecordProperty("number", number);
-    RecordProperty("title", title);
-    RecordProperty("expected", expected);
-  }
-  void TearDown() override { figures_.tell(); }
-
-  Figures figures_;
-};
+class Commands : public test::SuiteCase {};
 
 /// Alternates at 30 Hz between the two temperatures for two seconds.
 void alternate(WatchedRun& run, double cold_c, double warm_c) {

@@ -11,24 +11,13 @@ namespace ice_ice_baby {
 namespace {
 
 using test::blockOf;
-using test::Figures;
 using test::stabilityScene;
 using test::unchecked;
 using test::WatchedRun;
 
 constexpr double kSpacing_m = 0.05;  // of the scene
 
-class Spawns : public testing::Test {
- protected:
-  static void line(int number, const char* title, const char* expected) {
-    RecordProperty("number", number);
-    RecordProperty("title", title);
-    RecordProperty("expected", expected);
-  }
-  void TearDown() override { figures_.tell(); }
-
-  Figures figures_;
-};
+class Spawns : public test::SuiteCase {};
 
 Block pointAt(const Vec3d& x) {
   const Vec3d half = Vec3d::Constant(kSpacing_m / 2);

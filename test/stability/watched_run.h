@@ -57,6 +57,19 @@ struct Figures {
   }
 };
 
+/// A test that is a row of doc/stability.md: `line` says which, the figures are told at its end.
+class SuiteCase : public testing::Test {
+ protected:
+  static void line(int number, const char* title, const char* expected) {
+    RecordProperty("number", number);
+    RecordProperty("title", title);
+    RecordProperty("expected", expected);
+  }
+  void TearDown() override { figures_.tell(); }
+
+  Figures figures_;
+};
+
 /// Every frame it takes stays finite, keeps its particles, and keeps them inside what is closed.
 class WatchedRun {
  public:
