@@ -132,6 +132,7 @@ class IceContacts {
   void beginMoves(const IceBodies<Real>& bodies);
   void applyWarm(const Rows& rows, Contact& contact);
   void noteLoads(IceBodies<Real>& bodies);
+  void boundEnergy(const IceBodies<Real>& bodies);
   void levelMomenta(IceBodies<Real>& bodies);
   double movedSinceFound(const IceBody& body, Index b) const;
   bool deepInside(const IceBodies<Real>& bodies, const Contact& contact) const;

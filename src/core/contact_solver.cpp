@@ -223,13 +223,14 @@ void IceContacts<Real>::solve(IceBodies<Real>& bodies, VectorField<Real>& predic
     }
     if (moved < kSettled_d * spacing_m_) break;
   }
+  noteLoads(bodies);
+  if (!swept_.empty()) boundEnergy(bodies);
   levelMomenta(bodies);
   for (Index b = 0; b < bodies.count(); ++b) {
     IceBody& body = bodies.body(b);
     if (!moves_[b].touched || body.held()) continue;
     body.push(moves_[b].by, moves_[b].turn, bodies.dt_s());
   }
-  noteLoads(bodies);
   bodies.writePredicted(predicted, false);
 }
 

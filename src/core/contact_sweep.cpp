@@ -144,9 +144,61 @@ void IceContacts<Real>::addSwept() {
   std::inplace_merge(pairs_.begin(), pairs_.begin() + known, pairs_.end(), before);
 }
 
+/// Bodies that turn far in a substep and lie in each other ask for moves that no collision gives.
+/// Takes so much of the impulses in an island with something swept that they make no energy; as
+/// each acts on two bodies at one point, both momenta stay. What moves on its own does work.
+template <class Real>
+void IceContacts<Real>::boundEnergy(const IceBodies<Real>& bodies) {
+  const auto islandOf = [&](const Contact& contact) {
+    const bool other = bodies.body(contact.a).held() && contact.b != kNone;
+    return bodies.body(other ? contact.b : contact.a).island;
+  };
+  const auto moves = [&](const Contact& contact) {
+    if (contact.b == kNone) return faces_.moves(contact.collider);
+    return bodies.body(contact.a).anchor != kNone || bodies.body(contact.b).anchor != kNone;
+  };
+  std::vector<char> bound(bodies.count(), 0);
+  for (const Contact& contact : pairs_) {
+    if (contact.swept) bound[islandOf(contact)] = 1;
+  }
+  for (std::size_t k = 0; k < count(); ++k) {
+    if (moves(contactAt(k))) bound[islandOf(contactAt(k))] = 0;
+  }
+
+  // The energy is quadratic in the share s of the impulses: s linear + s^2 square / 2.
+  std::vector<double> linear(bodies.count(), 0.0), square(bodies.count(), 0.0);
+  for (Index b = 0; b < bodies.count(); ++b) {
+    const IceBody& body = bodies.body(b);
+    if (!moves_[b].touched || body.held()) continue;
+    const Move& move = moves_[b];
+    const Vec3d spun = body.next.turn * (body.inertia * (body.next.turn.transpose() * move.turn));
+    linear[body.island] +=
+        bodies.dt_s() * (body.mass_kg * body.velocity_m_s.dot(move.by) + body.spin().dot(spun));
+    square[body.island] += body.mass_kg * move.by.squaredNorm() + move.turn.dot(spun);
+  }
+  const auto share = [&](Index island) {
+    if (!bound[island] || linear[island] + square[island] / 2 <= 0) return 1.0;
+    return std::max(0.0, -linear[island] / square[island]);
+  };
+  for (Index b = 0; b < bodies.count(); ++b) {
+    moves_[b].by *= share(bodies.body(b).island);
+    moves_[b].turn *= share(bodies.body(b).island);
+  }
+  for (std::size_t k = 0; k < count(); ++k) {
+    Contact& contact = contactAt(k);
+    const double s = share(islandOf(contact));
+    const Vec3d& given = rows_[k].given;
+    const double pressed = given.dot(contact.normal);
+    contact.rubbed = s * contact.rubbed + (1 - s) * (given - pressed * contact.normal);
+    contact.pressed = s * contact.pressed + (1 - s) * pressed;
+  }
+}
+
 template void IceContacts<float>::findSwept(IceBodies<float>&);
 template void IceContacts<double>::findSwept(IceBodies<double>&);
 template void IceContacts<float>::addSwept();
 template void IceContacts<double>::addSwept();
+template void IceContacts<float>::boundEnergy(const IceBodies<float>&);
+template void IceContacts<double>::boundEnergy(const IceBodies<double>&);
 
 }  // namespace ice_ice_baby

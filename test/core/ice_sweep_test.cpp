@@ -48,9 +48,9 @@ TYPED_TEST(IceSweepTest, BodiesMeetHeadOnAtAnySpeedAndDoNotPass) {
 }
 
 TYPED_TEST(IceSweepTest, CollisionsOffTheCentreKeepBothMomentaAndMakeNoEnergy) {
-  Random random(91);
+  Random random(12345);
   int met = 0, free = 0;
-  for (int k = 0; k < 100; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     // One by one, as compilers differ in the order of arguments.
     const Vec3d turn_a = 180 * random.direction();
     const Vec3d turn_b = 180 * random.direction();
@@ -69,11 +69,12 @@ TYPED_TEST(IceSweepTest, CollisionsOffTheCentreKeepBothMomentaAndMakeNoEnergy) {
       EXPECT_LT((rig.angularMomentum() - angular).norm(), 1e-3 * scale) << speed;
       ++free;
     }
+    // Five of these bring the members so deep into each other that parting them would throw them.
     EXPECT_LE(rig.energy(), before * 1.001) << speed;
     met += rig.energy() < 0.95 * before;
   }
-  EXPECT_GT(met, 40);
-  EXPECT_GT(free, 8);
+  EXPECT_GT(met, 400);
+  EXPECT_GT(free, 80);
 }
 
 TYPED_TEST(IceSweepTest, AFastBodyWakesASleeperInsteadOfPassingIt) {
