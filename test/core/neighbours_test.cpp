@@ -195,21 +195,6 @@ TYPED_TEST(NeighboursTest, RebuildGivesTheSameSetsAsReuse) {
   EXPECT_EQ(cloud.neighbours.builds(), 2u);
 }
 
-/// Pages made for long lists serve short ones later, of which many more start in one.
-TYPED_TEST(NeighboursTest, ListsAreRightAfterACrowdHasDispersed) {
-  constexpr std::size_t kCrowd =
-      20000;  // of which a cell in the middle has more than a page near it
-  Cloud<TypeParam> cloud(randomPoints(kCrowd, Vec3d::Zero(), Vec3d::Constant(0.3), 13), kSupport_m);
-  this->scatter(cloud, randomPoints(kCrowd, Vec3d::Zero(), Vec3d(20, 0.5, 0.5), 14));
-  for (std::size_t i = 0; i < kCrowd; ++i) {
-    const Vec3<TypeParam> x = cloud.particles.predicted.at(i);
-    for (const Index j : cloud.neighbours.of(i)) {
-      ASSERT_LT(j, kCrowd);
-      ASSERT_LT((cloud.particles.predicted.at(j) - x).norm(), kSupport_m);
-    }
-  }
-}
-
 TYPED_TEST(NeighboursTest, ListsThatTakeTooMuchMemoryAreRefusedAndMayBeBuiltLater) {
   constexpr std::size_t kCrowd = 2000;
   const auto spread = randomPoints(kCrowd, Vec3d::Zero(), Vec3d::Ones(), 15);
