@@ -71,7 +71,9 @@ class Springs {
   void labelBodies(const Phases<Real>& phases, std::vector<Index>& labels) const;
 
   /// Corrects x* along each spring in turn, half to each end (Algorithm 1).
-  void correct(VectorField<Real>& predicted, double strictness, double dt_s) const;
+  /// @param begins whether this is the first iteration of a substep
+  void correct(VectorField<Real>& predicted, double strictness, double particle_kg, double dt_s,
+               bool begins);
 
   /// The same for elastic ice: a spring stretched by c pulls with c / compliance newtons (XPBD,
   /// Macklin et al. 2016), however many iterations and substeps there are.
@@ -85,8 +87,9 @@ class Springs {
   /// Follows a sort of the particles: place k now holds what was at order[k].
   void renumber(const std::vector<Index>& order);
 
-  /// Sum of c^2 over the springs that last, m^2: what their corrections have left.
-  double squaredStretch_m2(const VectorField<Real>& position) const;
+  /// What stretched springs give back, J: a spring that a substep corrected by a multiplier L in
+  /// all pulls with L / dt^2, and does so over the stretch that is left.
+  double elasticEnergy_j(const VectorField<Real>& position, double dt_s) const;
 
   bool empty() const { return springs_.empty(); }
   std::size_t size() const { return springs_.size(); }
@@ -104,12 +107,14 @@ class Springs {
   template <class Joined>
   void join(const Particles<Real>& particles, const Neighbours<Real>& neighbours, Real reach_m,
             const Joined& joined);
+  template <class Broken>
+  void breakIce(const Broken& broken);
 
   SpringParams params_;
   std::vector<Spring<Real>> springs_;  ///< those of sheets first
   std::size_t sheet_count_ = 0;
   bool kept_ = false;
-  std::vector<Real> multipliers_;  ///< (springs) kg m, of a substep; empty unless elastic
+  std::vector<Real> multipliers_;  ///< (those that last) kg m, of a substep
   std::vector<Index> place_of_;    ///< scratch of renumber
 };
 

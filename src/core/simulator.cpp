@@ -205,11 +205,12 @@ template <class Real>
 void Simulator<Real>::correctSprings(double dt_s, int iteration) {
   if (!springsCorrect()) return;
   correct_springs_clock_.run([&] {
+    const bool begins = iteration == 0;
     if (heat_) {
       springs_->correctElastic(particles_.predicted, scene_.ice.compliance_m_n, mass_kg_, dt_s,
-                               iteration == 0);
+                               begins);
     } else {
-      springs_->correct(particles_.predicted, strictness_, dt_s);
+      springs_->correct(particles_.predicted, strictness_, mass_kg_, dt_s, begins);
     }
   });
 }

@@ -56,9 +56,9 @@ void Simulator<Real>::updateReport() {
   if (heat_) reportHeat();
 }
 
-/// A solver that stops after few iterations leaves water as soft as springs of stiffness p / C, and
-/// a position correction is a spring that moves both its particles by half of c in a substep: they
-/// give back p V C / 2 and m (c / dt)^2 / 4. doc/stability.md shows the balance with and without.
+/// A solver that stops after few iterations leaves water as soft as springs of stiffness p / C,
+/// which give back p V C / 2, and springs as soft. doc/stability.md shows the balance with and
+/// without.
 template <class Real>
 double Simulator<Real>::elasticEnergy_j() const {
   const std::vector<Real>& density = density_->density();
@@ -68,14 +68,9 @@ double Simulator<Real>::elasticEnergy_j() const {
     sum_m2 -= double(multiplier[i]) * std::max(0.0, double(density[i]) - 1.0);
   }
   const double substeps_1_s = scene_.solver.frame_rate_hz * substeps_;
-  const double dt2_s2 = 1.0 / (substeps_1_s * substeps_1_s);
-  double energy_j = 0.5 * mass_kg_ * sum_m2 / dt2_s2;
-  if (springsCorrect()) {
-    const double compliance_m_n = heat_ ? scene_.ice.compliance_m_n : 0.0;
-    const double stiffness_n_m = 1.0 / (compliance_m_n + 2.0 * dt2_s2 / mass_kg_);
-    energy_j += 0.5 * stiffness_n_m * springs_->squaredStretch_m2(particles_.position);
-  }
-  return energy_j;
+  const double energy_j = 0.5 * mass_kg_ * sum_m2 * substeps_1_s * substeps_1_s;
+  if (!springsCorrect()) return energy_j;
+  return energy_j + springs_->elasticEnergy_j(particles_.position, 1.0 / substeps_1_s);
 }
 
 template <class Real>

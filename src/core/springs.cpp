@@ -54,6 +54,7 @@ template <class Real>
 void Springs<Real>::melt() {
   kept_ = false;
   springs_.resize(sheet_count_);
+  multipliers_.resize(std::min(multipliers_.size(), sheet_count_));
 }
 
 template <class Real>
@@ -77,10 +78,21 @@ void Springs<Real>::freeze(const Particles<Real>& particles, const Neighbours<Re
 }
 
 template <class Real>
+template <class Broken>
+void Springs<Real>::breakIce(const Broken& broken) {
+  std::size_t kept = sheet_count_;
+  for (std::size_t s = sheet_count_; s < springs_.size(); ++s) {
+    if (broken(springs_[s])) continue;
+    if (s < multipliers_.size()) multipliers_[kept] = multipliers_[s];
+    springs_[kept++] = springs_[s];
+  }
+  springs_.resize(kept);
+  multipliers_.resize(std::min(multipliers_.size(), kept));
+}
+
+template <class Real>
 void Springs<Real>::breakMelted(const Phases<Real>& phases) {
-  const auto melted = [&](const Spring<Real>& s) { return !phases.ice(s.a) || !phases.ice(s.b); };
-  const auto ice = springs_.begin() + static_cast<std::ptrdiff_t>(sheet_count_);
-  springs_.erase(std::remove_if(ice, springs_.end(), melted), springs_.end());
+  breakIce([&](const Spring<Real>& s) { return !phases.ice(s.a) || !phases.ice(s.b); });
 }
 
 /// Union by the lesser place, with path halving.
@@ -100,7 +112,12 @@ void Springs<Real>::labelBodies(const Phases<Real>& phases, std::vector<Index>& 
 }
 
 template <class Real>
-void Springs<Real>::correct(VectorField<Real>& predicted, double strictness, double dt_s) const {
+void Springs<Real>::correct(VectorField<Real>& predicted, double strictness, double particle_kg,
+                            double dt_s, bool begins) {
+  // What is made anew in every substep gives nothing back.
+  const std::size_t lasting = kept_ ? springs_.size() : sheet_count_;
+  if (begins) multipliers_.assign(lasting, Real(0));
+  const Real half_mass = static_cast<Real>(0.5 * particle_kg);
   const SpringRange rigid;
   const SpringRange ice_range = kept_ ? rigid : allowedRange(params_, strictness, dt_s);
   const auto correctOne = [&](std::size_t s) {
@@ -112,6 +129,7 @@ void Springs<Real>::correct(VectorField<Real>& predicted, double strictness, dou
     const SpringRange& range = s < sheet_count_ ? rigid : ice_range;
     const Real c = springCorrection(length, spring.rest_m, range);
     if (c == 0 || length == 0) return;
+    if (s < lasting) multipliers_[s] -= half_mass * c;
     const Vec3<Real> half = along * (c * Real(0.5) / length);
     predicted.set(spring.a, xa + half);
     predicted.set(spring.b, xb - half);
@@ -148,24 +166,20 @@ void Springs<Real>::correctElastic(VectorField<Real>& predicted, double complian
 template <class Real>
 void Springs<Real>::breakStretched(const VectorField<Real>& position, double strain) {
   const Real most = static_cast<Real>(1.0 + strain);
-  const auto ice = springs_.begin() + static_cast<std::ptrdiff_t>(sheet_count_);
-  springs_.erase(std::remove_if(ice, springs_.end(),
-                                [&](const Spring<Real>& s) {
-                                  const Vec3<Real> along = position.at(s.b) - position.at(s.a);
-                                  return along.norm() > most * s.rest_m;
-                                }),
-                 springs_.end());
+  breakIce([&](const Spring<Real>& s) {
+    return (position.at(s.b) - position.at(s.a)).norm() > most * s.rest_m;
+  });
 }
 
 template <class Real>
-double Springs<Real>::squaredStretch_m2(const VectorField<Real>& position) const {
-  const std::size_t count = kept_ || !multipliers_.empty() ? springs_.size() : sheet_count_;
-  double sum_m2 = 0.0;
-  for (std::size_t s = 0; s < count; ++s) {
+double Springs<Real>::elasticEnergy_j(const VectorField<Real>& position, double dt_s) const {
+  double sum = 0.0;
+  for (std::size_t s = 0; s < multipliers_.size(); ++s) {
+    if (multipliers_[s] == 0) continue;
     const double length = (position.at(springs_[s].b) - position.at(springs_[s].a)).norm();
-    sum_m2 += (length - double(springs_[s].rest_m)) * (length - double(springs_[s].rest_m));
+    sum -= double(multipliers_[s]) * (length - double(springs_[s].rest_m));
   }
-  return sum_m2;
+  return 0.5 * sum / (dt_s * dt_s);
 }
 
 template <class Real>

@@ -79,21 +79,24 @@ TEST(EnergyTest, FreezingInMidSplashGivesNone) {
   EXPECT_LT(risesOf(scene, 0.7, 120).total, 1e-3);
 }
 
-TEST(EnergyTest, ASheetGivesBackNoMoreThanItsSpringsHold) {
+/// What hangs in springs that few iterations leave stretched comes back as speed.
+class SheetEnergyTest : public testing::TestWithParam<int> {};
+
+TEST_P(SheetEnergyTest, GivesBackNoMoreThanItsSpringsHold) {
   Scene scene;
   scene.fluid.spacing_m = 0.03;
   scene.blocks.push_back(test::blockOf({-0.45, -0.45, 0.6}, {0.45, 0.45, 0.63}));
   scene.blocks[0].sheet = true;
-  scene.spheres.emplace_back();
-  scene.spheres[0].name = "ball";
-  scene.spheres[0].position_m = {0, 0, 0.3};
-  scene.spheres[0].radius_m = 0.2;
+  scene.spheres.push_back(test::ball({0, 0, 0.3}, 0.2));
   scene.planes.emplace_back();
   scene.planes[0].name = "ground";
+  scene.solver.substeps = GetParam();
   const Rises rises = risesOf(scene, 0.4, 90);
-  EXPECT_LT(rises.total, 0.01);
-  EXPECT_GT(rises.mechanical, 2 * rises.total);
+  EXPECT_LT(rises.total, 1e-4);
+  EXPECT_GT(rises.mechanical, 1e-3);
 }
+
+INSTANTIATE_TEST_SUITE_P(Substeps, SheetEnergyTest, testing::Values(2, 4, 8, 24));
 
 TEST(EnergyTest, TheElasticPartIsThatOfAnEvenlyPressedColumn) {
   // Pressure rho g z does work p C V / 2 on the water under it, C as the column itself shows it.

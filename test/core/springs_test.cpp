@@ -24,7 +24,7 @@ struct Dumbbell {
     const std::size_t near = cloud.particles.id[0] == 0 ? 0 : 1;
     x.set(near, Vec3<Real>(0, 0, 0));
     x.set(1 - near, Vec3<Real>(Real(length_m), 0, 0));
-    springs.correct(x, strictness, dt_s);
+    springs.correct(x, strictness, 1.0, dt_s, true);
     middle_m = double(x.x[0] + x.x[1]) / 2;
     return double(x.x[1 - near] - x.x[near]);
   }
@@ -121,7 +121,7 @@ TEST(SpringsTest, CorrectionsConserveMomentum) {
   test::Random random(53);
   for (std::size_t i = 0; i < moved.size(); ++i) moved.add(i, 0.02 * random.direction());
   const Vec3d before = test::sumOf(moved);
-  springs.correct(moved, 1.0, 0.002);
+  springs.correct(moved, 1.0, 1.0, 0.002, true);
   EXPECT_LT((test::sumOf(moved) - before).norm(), 1e-12 * test::sumOfNorms(moved));
 }
 
@@ -139,10 +139,41 @@ TEST(SpringsTest, SheetSpringsSurviveMeltingAndKeepTheirLengthWhenWarm) {
   EXPECT_EQ(springs.size(), sheet);
   VectorField<double> stretched = cloud.particles.predicted;
   for (double& x : stretched.x) x *= 1.3;
-  for (int pass = 0; pass < 300; ++pass) springs.correct(stretched, 0.0, 0.002);
+  for (int pass = 0; pass < 300; ++pass) springs.correct(stretched, 0.0, 1.0, 0.002, pass == 0);
   for (const Spring<double>& s : springs.all()) {
     EXPECT_NEAR((stretched.at(s.a) - stretched.at(s.b)).norm(), s.rest_m, 1e-3 * s.rest_m);
   }
+}
+
+TEST(SpringsTest, ElasticIceHoldsHalfOfItsPullTimesItsStretch) {
+  constexpr double kCompliance_m_n = 2e-4, kDt_s = 0.002;
+  Cloud<double> cloud({Vec3d::Zero(), Vec3d(0.04, 0, 0)}, 0.1);
+  Springs<double> springs{SpringParams()};
+  springs.make(cloud.particles, cloud.neighbours, 0.1);
+  VectorField<double>& x = cloud.particles.predicted;
+  x.x[1] *= 1.25;
+  springs.correctElastic(x, kCompliance_m_n, 0.1, kDt_s, true);
+  const double stretch_m = std::abs(x.x[1] - x.x[0]) - 0.04;
+  EXPECT_GT(stretch_m, 1e-4);
+  EXPECT_NEAR(springs.elasticEnergy_j(x, kDt_s), stretch_m * stretch_m / (2 * kCompliance_m_n),
+              1e-9);
+}
+
+TEST(SpringsTest, RigidOnesHoldWhatTheirCorrectionsLeave) {
+  constexpr double kParticle_kg = 0.1, kDt_s = 0.002;
+  Cloud<double> cloud({Vec3d::Zero(), Vec3d(0.04, 0, 0)}, 0.1);
+  Springs<double> springs{SpringParams()};
+  springs.make(cloud.particles, cloud.neighbours, 0.1);
+  springs.keep();
+  VectorField<double>& x = cloud.particles.predicted;
+  x.x[1] = 0.05;
+  springs.correct(x, 1.0, kParticle_kg, kDt_s, true);
+  EXPECT_NEAR(springs.elasticEnergy_j(x, kDt_s), 0.0, 1e-12) << "nothing is left";
+  x.x[1] += 0.002;  // what others undo
+  springs.correct(x, 1.0, kParticle_kg, kDt_s, false);
+  x.x[1] += 0.002;
+  const double pull_n = kParticle_kg * (0.01 + 0.002) / 2 / (kDt_s * kDt_s);
+  EXPECT_NEAR(springs.elasticEnergy_j(x, kDt_s), pull_n * 0.002 / 2, 1e-9);
 }
 
 TEST(SpringsTest, SheetTakesItsOwnParticlesOnly) {
