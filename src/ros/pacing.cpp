@@ -16,13 +16,17 @@ double Pacer::now() const {
   return ros_time_ ? ros::Time::now().toSec() : seconds(WallClock::now().time_since_epoch());
 }
 
+void Pacer::setInterval(double interval_s) {
+  interval_s_ = interval_s;
+  due_s_ = std::min(due_s_, now() + interval_s);
+}
+
 double Pacer::remaining() {
   if (interval_s_ <= 0.0) return 0.0;
   const double time_s = now();
   const bool jumped_back = time_s < latest_s_;
   latest_s_ = time_s;
   if (ros_time_ && time_s == 0.0) return interval_s_;  // no clock yet
-  if (!running_) return 0.0;
   if (jumped_back) due_s_ = std::min(due_s_, time_s + interval_s_);
   return std::max(0.0, due_s_ - time_s);
 }
@@ -30,8 +34,7 @@ double Pacer::remaining() {
 void Pacer::frameBegins() {
   const double time_s = now();
   const bool behind = time_s > due_s_ + interval_s_;
-  due_s_ = (running_ && !behind ? due_s_ : time_s) + interval_s_;
-  running_ = true;
+  due_s_ = (behind ? time_s : due_s_) + interval_s_;
 }
 
 void RealTimeFactor::add(WallClock::time_point now, double simulated_s) {

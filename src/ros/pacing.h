@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <deque>
+#include <limits>
 #include <utility>
 
 namespace ice_ice_baby {
@@ -12,31 +13,29 @@ namespace ice_ice_baby {
 using WallClock = std::chrono::steady_clock;
 
 /// Holds frames to a clock: the machine's own, or ROS time that another node publishes. Time lost
-/// to slow frames is dropped, not caught up. When ROS time stands still, so do the frames; when it
-/// jumps back, they go on from there.
+/// to slow frames or a pause is dropped, not caught up. When ROS time stands still, so do the
+/// frames; when it jumps back, they go on from there. Nothing but a shorter interval makes a frame
+/// due sooner, so that commands, however many, do not hurry the frames.
 class Pacer {
  public:
   /// @param interval_s between two frames, 0: always due @param ros_time follow ros::Time
   Pacer(double interval_s, bool ros_time) : interval_s_(interval_s), ros_time_(ros_time) {}
 
-  void setInterval(double interval_s) { interval_s_ = interval_s; }
+  /// Counts from now, where that is sooner than what was due.
+  void setInterval(double interval_s);
 
-  /// Seconds until the next frame, 0 when it is due now.
+  /// Seconds until the next frame, 0 when it is due now, as the first is.
   double remaining();
 
   /// Counts a frame that begins now.
   void frameBegins();
-
-  /// The next frame is due at once.
-  void restart() { running_ = false; }
 
  private:
   double now() const;
 
   double interval_s_;
   bool ros_time_;
-  bool running_ = false;
-  double due_s_ = 0.0;
+  double due_s_ = -std::numeric_limits<double>::infinity();
   double latest_s_ = 0.0;
 };
 

@@ -98,7 +98,6 @@ void SimulationThread::resume() {
     latest_.paused = false;
     latest_.failure.clear();
     steps_left_ = 0;
-    pacer_.restart();
   });
 }
 
@@ -163,7 +162,6 @@ void SimulationThread::install(std::unique_ptr<Simulation> simulation,
                   [this](const Collider& c) { latest_.colliders.push_back(c.name); });
   const bool paced = options_.real_time_factor > 0.0;
   pacer_.setInterval(paced ? frameTime_s(*simulation_) / options_.real_time_factor : 0.0);
-  pacer_.restart();
   updateSnapshot();
 }
 

@@ -67,6 +67,21 @@ TEST(Pacer, DropsTimeThatASlowFrameLost) {
   EXPECT_GT(pacer.remaining(), 0.0);  // one frame, not five
 }
 
+TEST(Pacer, FrameIsDueSoonerOnlyByAShorterInterval) {
+  ros::Time::init();
+  ros::Time::setNow(ros::Time(50.0));
+  Pacer pacer(10.0, true);
+  EXPECT_EQ(pacer.remaining(), 0.0);
+  pacer.frameBegins();
+  ros::Time::setNow(ros::Time(54.0));
+  pacer.setInterval(10.0);  // as each reset does
+  EXPECT_NEAR(pacer.remaining(), 6.0, 1e-6);
+  pacer.setInterval(20.0);
+  EXPECT_NEAR(pacer.remaining(), 6.0, 1e-6);
+  pacer.setInterval(2.0);
+  EXPECT_NEAR(pacer.remaining(), 2.0, 1e-6);
+}
+
 TEST(Pacer, FollowsRosTime) {
   ros::Time::init();
   Pacer pacer(0.1, true);

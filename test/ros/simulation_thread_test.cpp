@@ -304,5 +304,35 @@ TEST(SimulationThread, HoldsTheRealTimeFactor) {
   EXPECT_GT(now.simulated_s, 0.2);
 }
 
+/// After the first frame, how much time is simulated while `command` is given again and again, the
+/// next frame not being due for a quarter of a minute.
+template <class Command>
+double simulatedUnder(const Command& command) {
+  RunOptions options = paused();
+  options.start_paused = false;
+  options.real_time_factor = 0.001;
+  SimulationThread thread(puddle(), options, {});
+  EXPECT_TRUE(becomes(thread, [](const Snapshot& now) { return now.simulated_s > 0.0; }));
+  const double first_s = thread.snapshot().simulated_s;
+  for (int k = 0; k < 10; ++k) {
+    const std::uint64_t changes = thread.snapshot().changes;
+    command(thread);
+    EXPECT_TRUE(becomes(thread, [&](const Snapshot& now) { return now.changes > changes; }));
+  }
+  return thread.snapshot().simulated_s - first_s;
+}
+
+TEST(SimulationThread, NoCommandHurriesTheFrames) {
+  EXPECT_EQ(simulatedUnder([](SimulationThread& thread) { thread.resume(); }), 0.0);
+  EXPECT_EQ(simulatedUnder([](SimulationThread& thread) { thread.reset(puddle()); }), 0.0);
+  EXPECT_EQ(simulatedUnder([](SimulationThread& thread) {
+              thread.pause();
+              EXPECT_TRUE(becomes(thread, [](const Snapshot& now) { return now.paused; }));
+              thread.resume();
+              EXPECT_TRUE(becomes(thread, [](const Snapshot& now) { return !now.paused; }));
+            }),
+            0.0);
+}
+
 }  // namespace
 }  // namespace ice_ice_baby
