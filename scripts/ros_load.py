@@ -119,22 +119,18 @@ class OwnNode:
         while not rosgraph.is_master_online():
             time.sleep(0.1)
         rospy.init_node('load', disable_signals=True)
-        for name, value in self.parameters.items():
-            rospy.set_param(self.name + '/' + name, value)
-        self._start('rosrun', 'ice_ice_baby', 'simulation_node', '__name:=' + self.name[1:])
-        self.node = Node(self.name)
-        self.pid = process_of(self.name)
+        self._start_node(self.parameters)
         return self
 
     def __exit__(self, *_):
-        for child in reversed(self.children):
-            child.send_signal(signal.SIGINT)
-            try:
-                child.wait(timeout=20)
-            except subprocess.TimeoutExpired:  # a master may wait for connections that nobody ends
-                child.kill()
-                child.wait()
+        while self.children:
+            self._end(self.children.pop())
         self.folder.cleanup()
+
+    def restart(self, **parameters):
+        """Ends the node and starts it again with these parameters changed."""
+        self._end(self.children.pop())
+        self._start_node(parameters)
 
     def running(self):
         """Whether the node has not ended."""
@@ -144,6 +140,22 @@ class OwnNode:
         """What the node has written to its log."""
         with open(self.log, encoding='utf-8', errors='replace') as log:
             return log.read()
+
+    def _start_node(self, parameters):
+        for name, value in parameters.items():
+            rospy.set_param(self.name + '/' + name, value)
+        self._start('rosrun', 'ice_ice_baby', 'simulation_node', '__name:=' + self.name[1:])
+        self.node = Node(self.name)
+        self.pid = process_of(self.name)
+
+    @staticmethod
+    def _end(child):
+        child.send_signal(signal.SIGINT)
+        try:
+            child.wait(timeout=20)
+        except subprocess.TimeoutExpired:  # a master may wait for connections that nobody ends
+            child.kill()
+            child.wait()
 
     def _start(self, *command):
         with open(self.log, 'a', encoding='utf-8') as log:
