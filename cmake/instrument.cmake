@@ -4,7 +4,8 @@ set_property(CACHE IIB_INSTRUMENT PROPERTY STRINGS "" address thread coverage)
 
 if(IIB_INSTRUMENT STREQUAL "address")
   # float-cast-overflow is not part of undefined, but is how a wild position becomes a cell key.
-  set(flags -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all)
+  set(flags -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
+    -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/ubsan_ignored.txt)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
 elseif(IIB_INSTRUMENT STREQUAL "thread")
   set(flags -fsanitize=thread -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/tsan_ignored.txt)

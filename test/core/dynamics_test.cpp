@@ -153,50 +153,6 @@ TEST(IceTest, ASheetHoldsTogetherOverABall) {
   }
 }
 
-Scene freezingSplash(Preset preset) {
-  Scene scene;
-  applyPreset(scene, preset, 0.05);
-  const Scene shapes = splash();
-  scene.fluid.spacing_m = shapes.fluid.spacing_m;
-  scene.blocks = shapes.blocks;
-  scene.containers = shapes.containers;
-  scene.schedule = {{0.15, -10, 0.2}, {0.5, 20, 0.1}};
-  return scene;
-}
-
-TEST(DeterminismTest, OneTwoAndFourThreadsGiveTheSameBits) {
-  for (const Preset preset : {Preset::kDefault, Preset::kPaper}) {
-    for (const Precision precision : {Precision::kFloat, Precision::kDouble}) {
-      std::vector<std::uint64_t> hashes;
-      std::size_t springs = 0;
-      for (const int threads : {1, 2, 4}) {
-        const auto simulation = makeSimulation(freezingSplash(preset), precision, threads);
-        run(*simulation, 24);
-        springs = simulation->report().springs;
-        run(*simulation, 21);
-        hashes.push_back(simulation->stateHash());
-      }
-      EXPECT_GT(springs, 0u);
-      EXPECT_EQ(hashes[0], hashes[1]);
-      EXPECT_EQ(hashes[0], hashes[2]);
-    }
-  }
-}
-
-TEST(DeterminismTest, TwoRunsGiveTheSameBitsAndAskingChangesNothing) {
-  const auto quiet = makeSimulation(freezingSplash(Preset::kDefault));
-  const auto asked = makeSimulation(freezingSplash(Preset::kDefault));
-  std::vector<SpringSample> springs;
-  for (int k = 0; k < 30; ++k) {
-    quiet->advanceFrame();
-    asked->advanceFrame();
-    asked->measureDensityError();
-    asked->sampleSprings(springs, 10);
-    samplesOf(*asked);
-  }
-  EXPECT_EQ(quiet->stateHash(), asked->stateHash());
-}
-
 TEST(PrecisionTest, FloatFollowsDoubleForAWhile) {
   const auto single = makeSimulation(splash(), Precision::kFloat);
   const auto twice = makeSimulation(splash(), Precision::kDouble);

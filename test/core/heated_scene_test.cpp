@@ -4,57 +4,17 @@
 #include <cmath>
 #include <limits>
 
-#include "fixtures.h"
 #include "ice_ice_baby/errors.h"
+#include "kettle.h"
 #include "unchecked.h"
 
 namespace ice_ice_baby {
 namespace {
 
+using test::iceInKettle;
+using test::kettle;
+
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// A closed kettle a third full: hot floor, cold lid.
-Scene kettle() {
-  Scene scene;
-  scene.fluid.spacing_m = 0.02;
-  scene.heat.enabled = true;
-  scene.heat.speedup = 2000.0;
-  scene.heat.air_transfer_w_m2k = 0.0;
-  scene.temperature.initial_c = 100.0;
-  Block water;
-  water.min_m = Vec3d(-0.06, -0.06, 0.0);
-  water.max_m = Vec3d(0.06, 0.06, 0.1);
-  water.celsius = 98.0;
-  scene.blocks = {water};
-  Container pot;
-  pot.name = "pot";
-  pot.size_m = Vec3d(0.12, 0.12, 0.4);
-  pot.open_top = false;
-  scene.containers = {pot};
-  Plane floor;
-  floor.name = "floor";
-  floor.size_x_m = floor.size_y_m = 0.12;
-  floor.heat = WallHeat::kTemperature;
-  floor.celsius = 160.0;
-  Plane lid = floor;
-  lid.name = "lid";
-  lid.position_m.z() = 0.4;
-  lid.rpy_deg.x() = 180.0;
-  lid.celsius = 10.0;
-  scene.planes = {floor, lid};
-  return scene;
-}
-
-/// The kettle with a block of ice that falls into it.
-Scene iceInKettle() {
-  Scene scene = kettle();
-  Block ice = scene.blocks[0];
-  ice.min_m = Vec3d(-0.05, -0.05, 0.15);
-  ice.max_m = Vec3d(0.05, 0.05, 0.25);
-  ice.celsius = -10.0;
-  scene.blocks.push_back(ice);
-  return scene;
-}
 
 void run(Simulation& simulation, int frames) {
   for (int k = 0; k < frames; ++k) simulation.advanceFrame();
@@ -149,20 +109,6 @@ TEST(HeatedSceneTest, RefusedRequestsNameTheCureAndChangeNothing) {
   EXPECT_EQ(heated->stateHash(), before);
   for (std::size_t k = 0; k < kMaxHeatRegions; ++k) heated->heatRegion(torch);
   EXPECT_THROW(heated->heatRegion(torch), InvalidInput) << "so many are at work";
-}
-
-TEST(HeatedSceneTest, OneTwoAndFourThreadsGiveTheSameBits) {
-  const Scene scene = iceInKettle();
-  for (const Precision precision : {Precision::kFloat, Precision::kDouble}) {
-    std::vector<std::uint64_t> hashes;
-    for (const int threads : {1, 2, 4}) {
-      const auto simulation = makeSimulation(scene, precision, threads);
-      run(*simulation, 60);
-      hashes.push_back(simulation->stateHash());
-    }
-    EXPECT_EQ(hashes[0], hashes[1]);
-    EXPECT_EQ(hashes[0], hashes[2]);
-  }
 }
 
 TEST(HeatedExtremesTest, NothingBecomesNotFiniteOrEscapes) {
