@@ -63,8 +63,9 @@ template <class Real>
 void Heat<Real>::scaleBareArea() {
   const double top = lattice_.wallShare(lattice_.spacing_m / 2);
   double counted = 0.0;  // share of a flat surface's area that its layers have after the cut
-  for (double z = lattice_.spacing_m / 2; z < lattice_.support_m; z += lattice_.spacing_m) {
-    const double share = lattice_.wallShare(z);
+  const int layers = static_cast<int>(lattice_.support_m / lattice_.spacing_m) + 1;
+  for (int layer = 0; layer < layers; ++layer) {
+    const double share = lattice_.wallShare((layer + 0.5) * lattice_.spacing_m);
     if (share > kNoise * top) counted += share;
   }
   noise_m2_ = static_cast<Real>(kNoise * top * lattice_.area_m2);
