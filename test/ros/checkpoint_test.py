@@ -16,6 +16,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rospy
 
 from harness import Node, wait_until
+from processes import SIMULATION_NODE
 
 SPACING_M = 0.02  # 3375 particles: a file that takes a while to write
 
@@ -49,8 +50,8 @@ class Checkpoint(unittest.TestCase):
         log = open(os.path.join(self.folder.name, 'log'), 'a', encoding='utf-8')
         with log:
             self.child = subprocess.Popen(
-                [*prefix, 'rosrun', 'ice_ice_baby', 'simulation_node', '__name:=sim',
-                 *('_' + word for word in words)], stdout=log, stderr=log)
+                [*prefix, SIMULATION_NODE, '__name:=sim', *('_' + word for word in words)],
+                stdout=log, stderr=log)
         node = Node()
         wait_until(lambda: self.stands(node), 'the node')
         return node

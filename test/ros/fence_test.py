@@ -8,7 +8,7 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from processes import Processes
+from processes import SIMULATION_NODE, Processes
 
 SCRIPTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'scripts')
 FENCE = os.path.join(SCRIPTS, 'fence')
@@ -16,7 +16,7 @@ LISTENS = '0A'
 FENCED = """
 rosmaster --core -p 11311 & master=$!
 until rosparam list >/dev/null 2>&1; do sleep 0.1; done
-rosrun ice_ice_baby simulation_node __name:=sim _scene:=small _threads:=1 & node=$!
+"$SIMULATION_NODE" __name:=sim _scene:=small _threads:=1 & node=$!
 until rosservice call /sim/get_state >/dev/null 2>&1; do sleep 0.1; done
 echo served $node
 read -r _
@@ -71,7 +71,7 @@ class Fence(Processes):
     def test_nobody_reaches_what_is_fenced(self):
         if subprocess.run(['unshare', '-rn', 'true'], check=False, capture_output=True).returncode:
             self.skipTest('this machine allows no network namespaces')
-        self.env.update(ROS_MASTER_URI='http://127.0.0.1:11311')
+        self.env.update(ROS_MASTER_URI='http://127.0.0.1:11311', SIMULATION_NODE=SIMULATION_NODE)
         fenced = self.start('timeout', '60', FENCE, 'bash', '-c', FENCED, stdin=subprocess.PIPE)
         line = fenced.stdout.readline()
         while not line.startswith('served'):

@@ -9,7 +9,7 @@ import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from processes import Processes
+from processes import SIMULATION_NODE, Processes
 
 
 # Holds its connections, so it reaches the node without a master.
@@ -51,10 +51,10 @@ class Process(Processes):
                             'unknown key solver.substep', 'did you mean solver.substeps')
 
     def test_lists_its_parameters_without_a_master(self):
-        table = self.run_tool('rosrun', 'ice_ice_baby', 'simulation_node', '--parameters')
+        table = self.run_tool(SIMULATION_NODE, '--parameters')
         self.assertEqual(table.returncode, 0)
         self.assertTrue(re.search(r'`real_time_factor` \| 1 \| 0 to 1000', table.stdout))
-        unknown = self.run_tool('rosrun', 'ice_ice_baby', 'simulation_node', '--parametres')
+        unknown = self.run_tool(SIMULATION_NODE, '--parametres')
         self.assertEqual(unknown.returncode, 1)
         self.assertIn('--parametres', unknown.stdout)
 
@@ -77,7 +77,7 @@ class Process(Processes):
         time.sleep(1.5)
         self.assertIsNone(node.poll())
         self.assertIn('Failed to contact master', self.assert_ends(node, signal.SIGINT, 3.0))
-        node = self.start('rosrun', 'ice_ice_baby', 'simulation_node')  # waits to register
+        node = self.start(SIMULATION_NODE)  # waits to register
         time.sleep(1.5)
         self.assertIn('Failed to contact master', self.assert_ends(node, signal.SIGTERM, 3.0))
 

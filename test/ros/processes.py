@@ -6,8 +6,11 @@ import subprocess
 import time
 import unittest
 
+import roslib.packages
 import yaml
 
+# As roslaunch finds it; rosrun overlooks a build below build/ and asks which, where there are two.
+SIMULATION_NODE = roslib.packages.find_node('ice_ice_baby', 'simulation_node')[0]
 SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'scenes')
 
 
@@ -49,8 +52,7 @@ class Processes(unittest.TestCase):
         self.fail('no master')
 
     def start_node(self, *parameters):
-        return self.start('rosrun', 'ice_ice_baby', 'simulation_node', '__name:=sim',
-                          *('_' + p for p in parameters))
+        return self.start(SIMULATION_NODE, '__name:=sim', *('_' + p for p in parameters))
 
     def run_tool(self, *command):
         return subprocess.run(command, env=self.env, timeout=20, check=False, text=True,
