@@ -1,6 +1,6 @@
 # IIB_INSTRUMENT: the build that watches. The flags hold for every target, as a sanitizer has to see all of a program.
-set(IIB_INSTRUMENT "" CACHE STRING "What watches the program: address (with undefined behaviour), thread, coverage")
-set_property(CACHE IIB_INSTRUMENT PROPERTY STRINGS "" address thread coverage)
+set(IIB_INSTRUMENT "" CACHE STRING "What watches the program: address (with undefined behaviour), thread, coverage, coverage-ros")
+set_property(CACHE IIB_INSTRUMENT PROPERTY STRINGS "" address thread coverage coverage-ros)
 
 if(IIB_INSTRUMENT STREQUAL "address")
   # float-cast-overflow is not part of undefined, but is how a wild position becomes a cell key.
@@ -12,8 +12,12 @@ elseif(IIB_INSTRUMENT STREQUAL "thread")
 elseif(IIB_INSTRUMENT STREQUAL "coverage")
   # Counters of loops that run on several threads would lose counts without atomic.
   set(flags --coverage -fprofile-update=atomic)
+elseif(IIB_INSTRUMENT STREQUAL "coverage-ros")
+  # Only src/ros counts: a core that counts would be too slow for the limits of time of the tests with a master.
+  add_link_options(--coverage)
 elseif(IIB_INSTRUMENT)
-  message(FATAL_ERROR "IIB_INSTRUMENT is ${IIB_INSTRUMENT}; it may be address, thread, coverage or empty")
+  message(FATAL_ERROR
+    "IIB_INSTRUMENT is ${IIB_INSTRUMENT}; it may be address, thread, coverage, coverage-ros or empty")
 endif()
 set(IIB_TEST_PATIENCE_S 60)  # until a test counts as hanging
 if(flags)
