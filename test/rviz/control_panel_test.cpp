@@ -2,6 +2,7 @@
 #include "control_panel.h"
 
 #include <gtest/gtest.h>
+#include <ice_ice_baby/GetState.h>
 #include <ros/ros.h>
 #include <rviz/config.h>
 
@@ -13,6 +14,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
+#include <boost/function.hpp>
 
 #include "heated_node.h"
 #include "patience.h"
@@ -119,6 +121,30 @@ TEST_F(ControlPanelTest, saysThatThereIsNoNode) {
   follow("/nobody");
   EXPECT_TRUE(awaitGui([this] { return text("answer") == "no node at /nobody"; }));
   EXPECT_EQ(text("particles_value"), "—");
+}
+
+TEST_F(ControlPanelTest, listsTheScenesOfANodeThatAnswersAfterItsFirstStates) {
+  follow("/late");
+  ros::NodeHandle node("/late");
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  const ros::Publisher states = node.advertise<State>("state", 1);
+  State state;
+  state.particles = 100;
+  const auto publishUntil = [&](auto condition) {
+    return awaitGui([&] {
+      states.publish(state);
+      return condition();
+    });
+  };
+  ASSERT_TRUE(publishUntil([this] { return text("particles_value") == "100"; }));
+  const boost::function<bool(GetState::Request&, GetState::Response&)> answer =
+      [](GetState::Request&, GetState::Response& response) {
+        response.scenes = {"late_scene"};
+        return response.success = true;
+      };
+  const ros::ServiceServer server = node.advertiseService("get_state", answer);
+  EXPECT_TRUE(publishUntil([this] { return scene()->findText("late_scene") >= 0; }));
 }
 
 TEST_F(ControlPanelTest, keepsNodeAndRampInTheConfig) {
