@@ -68,20 +68,26 @@ class JumpsTest : public testing::Test {
     }
     return most;
   }
+  /// Moves the tank far away and holds that all of it came along as it was, nearer than `within_m`.
+  static Posed expectCarried(Simulation& simulation, double within_m) {
+    const std::vector<ParticleSample> was = samplesOf(simulation);
+    const Posed there = posed({80, -60, 40}, {0, 0, 170});
+    simulation.moveCollider("tank", there);
+    simulation.advanceFrame();
+    const std::vector<ParticleSample> is = samplesOf(simulation);
+    for (std::size_t k = 0; k < was.size(); ++k) {
+      EXPECT_LT((there.toLocal(at(is[k])) - at(was[k])).norm(), within_m);
+    }
+    return there;
+  }
+
   std::size_t particles_ = 0;
 };
 
 TEST_F(JumpsTest, ATankThatJumpsTakesItsWaterAlongAsItIs) {
   const auto simulation = rested(pool());
   const double before = simulation->report().max_speed_m_s;
-  const std::vector<ParticleSample> was = samplesOf(*simulation);
-  const Posed there = posed({80, -60, 40}, {0, 0, 170});
-  simulation->moveCollider("tank", there);
-  simulation->advanceFrame();
-  const std::vector<ParticleSample> is = samplesOf(*simulation);
-  for (std::size_t k = 0; k < was.size(); ++k) {
-    EXPECT_LT((there.toLocal(at(is[k])) - at(was[k])).norm(), 0.3 * kSpacing_m);
-  }
+  expectCarried(*simulation, 0.3 * kSpacing_m);
   EXPECT_EQ(simulation->report().speed_limited, particles_) << "it is told";
   EXPECT_LT(fastest(*simulation, 10), before + 0.3);
   expectWhole(*simulation, particles_);
@@ -188,14 +194,7 @@ TEST_F(JumpsTest, IceGoesAlongAndMakesRoomAsWell) {
   scene.blocks[0].celsius = -5;
   scene.spheres.push_back(ball({5, 0, 0}, 0.1));
   const auto simulation = rested(scene);
-  const std::vector<ParticleSample> was = samplesOf(*simulation);
-  const Posed there = posed({80, -60, 40}, {0, 0, 170});
-  simulation->moveCollider("tank", there);
-  simulation->advanceFrame();
-  const std::vector<ParticleSample> is = samplesOf(*simulation);
-  for (std::size_t k = 0; k < was.size(); ++k) {
-    EXPECT_LT((there.toLocal(at(is[k])) - at(was[k])).norm(), 0.01);
-  }
+  const Posed there = expectCarried(*simulation, 0.01);
   EXPECT_LT(simulation->report().max_speed_m_s, 0.3);
   const Vec3d centre = there.toWorld({-0.2, 0.02, 0.12});
   simulation->moveCollider("ball", posed(centre));

@@ -1,35 +1,20 @@
 """Contract of run_scene --save, --autosave and --load: no plug that is pulled loses a run."""
 import json
-import pathlib
 import signal
 import subprocess
-import sys
-import tempfile
 import time
 import unittest
 
-RUN_SCENE = sys.argv.pop(1)
-SCENE = """name: small
-duration_s: 4
-fluid: {spacing_m: 0.05}
-blocks: [{min_m: [-0.15, -0.15, 0.05], max_m: [0.15, 0.15, 0.3]}]
-containers: [{name: tank, size_m: [0.4, 0.4, 0.4], open_top: false}]
-schedule: [{at_s: 1, celsius: -10, ramp_s: 0.5}, {at_s: 2, celsius: 20, ramp_s: 0.5}]
-"""
+from run_scene_case import RUN_SCENE, RunSceneCase
 
 
-class Checkpoints(unittest.TestCase):
+class Checkpoints(RunSceneCase):
+    DURATION_S = 4
+    SCHEDULE = "schedule: [{at_s: 1, celsius: -10, ramp_s: 0.5}, {at_s: 2, celsius: 20, ramp_s: 0.5}]"
+
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.scene = self.folder / "small.yaml"
-        self.scene.write_text(SCENE)
+        super().setUp()
         self.checkpoint = self.folder / "run.ckpt"
-
-    def run_scene(self, *words):
-        return subprocess.run([RUN_SCENE, *map(str, words)], text=True, capture_output=True,
-                              timeout=60)
 
     def start(self, *words):
         process = subprocess.Popen([RUN_SCENE, *map(str, words)], text=True,
@@ -43,12 +28,6 @@ class Checkpoints(unittest.TestCase):
         result = self.run_scene("--report", path, *words)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return json.loads(path.read_text())
-
-    def refused(self, *words):
-        result = self.run_scene(*words)
-        self.assertEqual(result.returncode, 1, f"{words}: {result.stdout}{result.stderr}")
-        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
-        return result.stderr
 
     def wait_for_a_checkpoint(self, process):
         """Until a new file is in place or the run is over."""

@@ -1,50 +1,23 @@
 """Contract of run_scene: exit codes, one clear line for bad input, the report, the pictures."""
 import csv
 import json
-import os
-import pathlib
-import subprocess
-import sys
-import tempfile
 import unittest
 
 import numpy
 
-RUN_SCENE = sys.argv.pop(1)
+from run_scene_case import RunSceneCase
+
 KEYS = """scene particles springs simulated_time_s wall_time_s steps density_error_mean
 density_error_max kinetic_energy_j max_speed_m_s escaped non_finite state_hash threads precision
 stages""".split()
-SMALL = """name: small
-duration_s: 0.1
-fluid: {spacing_m: 0.05}
-blocks: [{min_m: [-0.15, -0.15, 0.05], max_m: [0.15, 0.15, 0.3]}]
-containers: [{name: tank, size_m: [0.4, 0.4, 0.4], open_top: false}]
-"""
 
 
-class RunScene(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.scene = self.folder / "small.yaml"
-        self.scene.write_text(SMALL)
-
-    def run_scene(self, *words, **environment):
-        return subprocess.run([RUN_SCENE, *map(str, words)], text=True, capture_output=True,
-                              env={**os.environ, **environment}, timeout=60)
-
+class RunScene(RunSceneCase):
     def report(self, *words):
         path = self.folder / "report.json"
         result = self.run_scene(self.scene, "--report", path, *words)
         self.assertEqual(result.returncode, 0, result.stderr)
         return json.loads(path.read_text())
-
-    def refused(self, *words):
-        result = self.run_scene(*words)
-        self.assertEqual(result.returncode, 1, f"{words}: {result.stdout}{result.stderr}")
-        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
-        return result.stderr
 
     def test_a_run_is_quiet_but_for_its_summary(self):
         result = self.run_scene(self.scene)
