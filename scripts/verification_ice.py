@@ -167,5 +167,5 @@ def freeze_in_flight(run):
         told("angular momentum gained or lost in freezing", turned(before, after)),
         at_most("fastest particle after freezing, of that before", fastest[after:].max() / fastest[before], 1.0 + 1e-6),
         at_most("angular momentum gained or lost by the ice later", turned(after, -1), 1e-3),
-        told("pieces of ice", end.series["bodies"][after]),
+        told("pieces of ice", end.series["ice_bodies"][after]),
     ]

@@ -3,11 +3,11 @@ import time
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
-from ice_ice_baby.srv import (ApplyHeat, GetState, Load, Reset, Save, SetGravity, SetTemperature,
+from ice_ice_baby.srv import (HeatRegion, GetState, Load, Reset, Save, SetGravity, SetTemperature,
                               Step)
 from std_srvs.srv import Trigger
 
-TYPES = {'get_state': GetState, 'heat_region': ApplyHeat, 'load': Load, 'reset': Reset,
+TYPES = {'get_state': GetState, 'heat_region': HeatRegion, 'load': Load, 'reset': Reset,
          'save': Save, 'set_gravity': SetGravity, 'set_temperature': SetTemperature, 'step': Step,
          'pause': Trigger, 'resume': Trigger}
 
