@@ -5,6 +5,7 @@
 
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_keys.h"
+#include "loading/renamed_keys.h"
 
 namespace ice_ice_baby {
 
@@ -111,7 +112,11 @@ class Reader {
     for (const auto& entry : map_) {
       const std::string name = text(entry.first);
       if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-      throw InvalidInput("unknown key " + keyPath(name) + suggestion(name, known_, keyPath("")));
+      const std::string present = renamedKey(name);
+      const bool renamed = std::find(known_.begin(), known_.end(), present) != known_.end();
+      throw InvalidInput("unknown key " + keyPath(name) +
+                         (renamed ? "; did you mean " + keyPath(present) + "?"
+                                  : suggestion(name, known_, keyPath(""))));
     }
   }
 

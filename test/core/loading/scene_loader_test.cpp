@@ -76,11 +76,21 @@ TEST(SceneRefusalTest, WrongTypesSayWhatIsWanted) {
   expectRefusal("fluid: {self_density: maybe}", {"fluid.self_density", "true or false"});
   expectRefusal("fluid: {kernel: gauss}", {"fluid.kernel", "cubic, poly6_spiky"});
   expectRefusal("preset: fast", {"preset", "default, paper"});
-  expectRefusal("preset: paper\nheat: {enabled: true}", {"preset = paper", "preset to default"});
+  expectRefusal("preset: paper\nthermal: {enabled: true}", {"preset = paper", "preset to default"});
   expectRefusal("fluid: 3", {"fluid must be a map"});
   expectRefusal("blocks: {min_m: [0, 0, 0]}", {"blocks must be a list"});
   expectRefusal("blocks: [3]", {"blocks.0 must be a map"});
   expectRefusal("name: [a]", {"name must be a text"});
+}
+
+TEST(SceneRefusalTest, KeysOfOlderSceneFilesSayTheirPresentName) {
+  expectRefusal("heat: {enabled: true}", {"unknown key heat; did you mean thermal?"});
+  expectRefusal("thermal: {fusion_j_kg: 1}",
+                {"thermal.fusion_j_kg; did you mean thermal.latent_heat_fusion_j_kg?"});
+  expectRefusal("fluid: {wall_density: true}", {"did you mean fluid.boundary_density?"});
+  expectRefusal("blocks: [{spin_rad_s: [0, 0, 1]}]",
+                {"did you mean blocks.0.angular_velocity_rad_s?"});
+  expectRefusal("solver: {heat: 1}", {"unknown key solver.heat", "allowed: frame_rate_hz"});
 }
 
 TEST(SceneRefusalTest, WhatIsNoScene) {
