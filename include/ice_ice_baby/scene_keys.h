@@ -37,46 +37,6 @@ void describe(Block& b, Visitor&& visit) {
 }
 
 template <class Visitor>
-void describeCollider(Collider& c, Visitor&& visit) {
-  visit("name", c.name, "how services and tf call it");
-  visit("position_m", c.position_m, kCoordinateRange_m,
-        "of the centre: of a container its inner floor, of a plane its surface");
-  visit("rpy_deg", c.rpy_deg, Range{-360.0, 360.0},
-        "roll, pitch, yaw about the fixed axes x, y, z");
-  visit("friction", c.friction, Range{0.0, 10.0}, "Coulomb coefficient; 0: slippery");
-  visit("opacity", c.opacity, Range{0.0, 1.0}, "in pictures; 0: invisible");
-  visit("follow_frame", c.follow_frame, "tf frame that the collider moves with; \"\": it stays");
-  visit(
-      "heat", c.heat,
-      "what its surface does to the water, with thermal.enabled: nothing, it has a temperature, or "
-      "it passes a flux");
-  visit("celsius", c.celsius, kTemperatureRange_c, "temperature of the surface, for temperature");
-  visit("flux_w_m2", c.flux_w_m2, Range{-1e7, 1e7}, "into the water, for flux; below 0 it cools");
-}
-
-template <class Visitor>
-void describe(Container& c, Visitor&& visit) {
-  describeCollider(c, visit);
-  visit("size_m", c.size_m, Range{1e-3, 2 * kMaxCoordinate_m}, "inner size");
-  visit("wall_m", c.wall_m, Range{1e-4, 10.0}, "thickness of walls and floor");
-  visit("open_top", c.open_top, "whether water can leave by the top");
-}
-
-template <class Visitor>
-void describe(Plane& p, Visitor&& visit) {
-  describeCollider(p, visit);
-  visit("size_x_m", p.size_x_m, Range{0.0, 2 * kMaxCoordinate_m}, "0: infinite");
-  visit("size_y_m", p.size_y_m, Range{0.0, 2 * kMaxCoordinate_m}, "0: infinite");
-  visit("thickness_m", p.thickness_m, Range{1e-4, 10.0}, "of a plate that is not infinite");
-}
-
-template <class Visitor>
-void describe(Sphere& s, Visitor&& visit) {
-  describeCollider(s, visit);
-  visit("radius_m", s.radius_m, Range{1e-3, kMaxCoordinate_m}, "radius");
-}
-
-template <class Visitor>
 void describe(Scene& s, Visitor&& visit) {
   visit("name", s.name, "what it is called");
   visit("description", s.description, "what is to be seen, in a sentence");
@@ -96,9 +56,8 @@ void describe(Scene& s, Visitor&& visit) {
   visit.section("limits", s.limits, "guards");
   visit.list("schedule", s.schedule, "temperature over time");
   visit.list("blocks", s.blocks, "the water");
-  visit.list("containers", s.containers, "boxes that hold water");
-  visit.list("planes", s.planes, "grounds and plates");
-  visit.list("spheres", s.spheres, "balls");
+  forEachColliderList(
+      s, [&](auto& list, const ColliderKind& kind) { visit.list(kind.key, list, kind.meaning); });
 }
 
 }  // namespace ice_ice_baby

@@ -18,9 +18,9 @@ visualization_msgs::MarkerArray springMarkers(const std::vector<SpringSample>& s
                                               const std_msgs::Header& header, double width_m,
                                               bool clear);
 
-/// Every collider of the scene where it stands now, as translucent as its opacity says: containers
-/// by their walls and edges, planes by a plate, spheres. One of opacity 0 is not drawn. Deletes
-/// what an earlier message drew first.
+/// Every collider of the scene where it stands now, as translucent as its opacity says: its
+/// surface, and the edges of a container. One of opacity 0 is not drawn. Deletes what an earlier
+/// message drew first.
 visualization_msgs::MarkerArray colliderMarkers(const Simulation& simulation,
                                                 const std_msgs::Header& header);
 
