@@ -1,16 +1,15 @@
 #!/usr/bin/python3
 """A scene with heat from outside: targets of temperatures, heated regions, what is told of it."""
 import math
-import os
+import pathlib
 import sys
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rospy
 from geometry_msgs.msg import Point, Vector3
 
-from harness import Node
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Node
 
 
 class Heat(unittest.TestCase):

@@ -1,16 +1,15 @@
 #!/usr/bin/python3
 """Every bad request to every service names what is wrong and what is allowed, and changes nothing."""
 import math
-import os
+import pathlib
 import sys
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rospy
 from geometry_msgs.msg import Point, Vector3
 
-from harness import TYPES, Node
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import TYPES, Node
 
 NAN, INF = math.nan, math.inf
 LONG = 'x' * 100000

@@ -10,13 +10,12 @@ import textwrap
 import time
 import unittest
 
-RUN_SCENE = sys.argv.pop(1)
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-PROGRAM = ROOT / "scripts" / "error_vs_runtime"
-sys.dont_write_bytecode = True
-sys.path.insert(0, str(PROGRAM.parent))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.common.paths import ROOT
+from iib.error_runtime import peers, studies
 
-from error_runtime import peers, studies  # noqa: E402
+RUN_SCENE = sys.argv.pop(1)
+PROGRAM = ROOT / "scripts" / "error_vs_runtime"
 
 # Answers as run_scene does, at once; error halves and time doubles with every doubling of substeps.
 STUB = """#!/usr/bin/python3

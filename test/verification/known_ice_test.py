@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import known_ice  # noqa: E402
+from iib.known import ice as known_ice
 
 
 class KnownIce(unittest.TestCase):

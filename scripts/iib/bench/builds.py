@@ -25,7 +25,9 @@ class Tree:
     def check_out(self, commit):
         """The source as of a commit."""
         self._empty()
-        archive = subprocess.Popen(["git", "-C", str(ROOT), "archive", commit], stdout=subprocess.PIPE)
+        archive = subprocess.Popen(
+            ["git", "-C", str(ROOT), "archive", commit], stdout=subprocess.PIPE
+        )
         run(["tar", "-x", "-C", self.source], stdin=archive.stdout)
         return self
 
@@ -47,7 +49,10 @@ class Tree:
         print(f"building {self.name}", file=sys.stderr)
         benches = (self.source / "bench" / "CMakeLists.txt").exists()
         command = ["cmake", "-S", self.source, "-B", self.build]
-        command += [f"-DIIB_ROS={'ON' if ros else 'OFF'}", f"-DIIB_BENCH={'ON' if benches else 'OFF'}"]
+        command += [
+            f"-DIIB_ROS={'ON' if ros else 'OFF'}",
+            f"-DIIB_BENCH={'ON' if benches else 'OFF'}",
+        ]
         command += ["-DBUILD_TESTING=OFF", "-DCATKIN_ENABLE_TESTING=OFF"]
         command += ["-DPYTHON_EXECUTABLE=/usr/bin/python3"] if ros else []
         if shutil.which("ninja") and not (self.build / "CMakeCache.txt").exists():

@@ -31,17 +31,29 @@ EXAMPLES = """examples:
 
 def parser():
     p = Parser("scripts/bench", DESCRIPTION, epilog=EXAMPLES)
-    p.add_argument("commit", nargs="?", default="HEAD", help="what to compare with; HEAD unless told")
+    p.add_argument(
+        "commit", nargs="?", default="HEAD", help="what to compare with; HEAD unless told"
+    )
     p.add_argument("--count", action="store_true", help="compare instructions, by callgrind")
-    p.add_argument("--without-ice", action="store_true",
-                        help="instructions of water only, against a build without springs and temperature")
-    p.add_argument("--parts", action="store_true",
-                        help="instructions and bytes of each optional part, on and absent")
+    p.add_argument(
+        "--without-ice",
+        action="store_true",
+        help="instructions of water only, against a build without springs and temperature",
+    )
+    p.add_argument(
+        "--parts",
+        action="store_true",
+        help="instructions and bytes of each optional part, on and absent",
+    )
     p.add_argument("--targets", action="store_true", help="ratios that have a target")
     p.add_argument("--node", action="store_true", help="what the ROS node costs over run_scene")
     p.add_argument("--reference", action="store_true", help="write bench/results/<processor>.csv")
-    p.add_argument("--filter", default="n:30000|colliders", metavar="REGEX",
-                        help="which micro-benchmarks to compare (default: %(default)s)")
+    p.add_argument(
+        "--filter",
+        default="n:30000|colliders",
+        metavar="REGEX",
+        help="which micro-benchmarks to compare (default: %(default)s)",
+    )
     p.add_argument("--runs", type=int, default=5, help="runs of each side (default: %(default)s)")
     p.add_argument("--stages", action="store_true", help="show each stage of each scene too")
     p.add_argument("--keep", metavar="DIR", help="build in DIR and leave it there")

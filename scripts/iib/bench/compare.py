@@ -55,7 +55,9 @@ def compare(folder, commit, pattern, runs, stages):
     print(f"base: {commit}, tree: {commit_name()}; medians of {runs} runs in turn\n")
     print(f"{'':<62} {'base':>9} {'tree':>9} {'ratio':>6} spread")
     hidden = (" per_p", " wall") if stages else (" per_p", " wall", " stage_")
-    lines = rows(found["tree"], found["base"], lambda name: not any(part in name for part in hidden))
+    lines = rows(
+        found["tree"], found["base"], lambda name: not any(part in name for part in hidden)
+    )
     print("\n".join(lines))
     left_out = sorted(set(found["tree"]) ^ set(found["base"]))
     if left_out:

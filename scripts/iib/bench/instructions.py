@@ -47,7 +47,9 @@ def without_ice(folder):
 
 
 def _print(name_a, a, name_b, b):
-    print(f"{'instructions of ' + str(FRAMES) + ' frames':<28} {name_a:>16} {name_b:>16} {'ratio':>8}")
+    print(
+        f"{'instructions of ' + str(FRAMES) + ' frames':<28} {name_a:>16} {name_b:>16} {'ratio':>8}"
+    )
     for scene in SCENES:
         n_a, n_b = count(a, scene), count(b, scene)
         print(f"{scene:<28} {n_a:>16,} {n_b:>16,} {n_b / n_a:>8.4f}")
@@ -63,7 +65,11 @@ def leave_out_ice(tree):
     _edit(simulator, rf"std::optional<(({parts})<Real>)>", r"Absent<\1>", 6)
     _edit(simulator, r"\bTemperature temperature_;", "NoTemperature temperature_;")
     _edit(simulator, r"\bdouble strictness_ = 0\.0;", "Zero strictness_;")
-    _edit(simulator, r'#include "ice_ice_baby/colliders.h"', '#include "ice_ice_baby/absent.h"\n\\g<0>')
+    _edit(
+        simulator,
+        r'#include "ice_ice_baby/colliders.h"',
+        '#include "ice_ice_baby/absent.h"\n\\g<0>',
+    )
     left_out = r"\n +(springs|temperature|phases|steam|simulator_ice|ice_\w+|contact_\w+)\.cpp"
     _edit(tree.source / "src" / "core" / "CMakeLists.txt", left_out, "", 12)
     return tree
@@ -72,5 +78,7 @@ def leave_out_ice(tree):
 def _edit(path, pattern, replacement, times=1):
     source, found = re.subn(pattern, replacement, path.read_text())
     if found != times:
-        raise Refusal(f"{path.name} has no {pattern} any more: iib/bench/instructions.py has to follow it")
+        raise Refusal(
+            f"{path.name} has no {pattern} any more: iib/bench/instructions.py has to follow it"
+        )
     path.write_text(source)

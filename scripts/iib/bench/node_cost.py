@@ -37,9 +37,15 @@ class Session:
         self.start(*master.command(self.port))
         master.await_answer(self.port)
         self.node = self.start(
-            self.tree.program("simulation_node"), "__name:=sim", f"_scene:={SCENE}", "_start_paused:=true",
-            f"_threads:={THREADS}", "_real_time_factor:=0", "_particles_rate_hz:=30",
-            f"_overrides/fluid/spacing_m:={self.spacing_m}")
+            self.tree.program("simulation_node"),
+            "__name:=sim",
+            f"_scene:={SCENE}",
+            "_start_paused:=true",
+            f"_threads:={THREADS}",
+            "_real_time_factor:=0",
+            "_particles_rate_hz:=30",
+            f"_overrides/fluid/spacing_m:={self.spacing_m}",
+        )
         return self
 
     def __exit__(self, *_):
@@ -47,8 +53,12 @@ class Session:
             end(child, patience_s=5.0)
 
     def start(self, *command):
-        child = subprocess.Popen([str(c) for c in command], env=self.env,
-                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        child = subprocess.Popen(
+            [str(c) for c in command],
+            env=self.env,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
         self.children.append(child)
         return child
 
@@ -60,7 +70,9 @@ class Session:
     def run_frames(self, frames, how):
         """Wall time, the node's processor time, and the clouds that came."""
         command = [self.tree.program("time_node"), str(frames), how, "__ns:=/sim"]
-        waiting = subprocess.Popen([str(c) for c in command], env=self.env, stdout=subprocess.PIPE, text=True)
+        waiting = subprocess.Popen(
+            [str(c) for c in command], env=self.env, stdout=subprocess.PIPE, text=True
+        )
         out, _ = waiting.communicate(timeout=600)
         if waiting.returncode != 0:
             raise Refusal("the node did not answer")
@@ -91,8 +103,10 @@ def print_costs(folder, runs):
             with bar.run(names[case]):
                 found[case].add(measure(tree, *case))
     bar.close()
-    print(f"{SCENE} as fast as it goes, solver on {THREADS} thread, commit {commit()}, "
-          f"medians of {runs} runs in turn")
+    print(
+        f"{SCENE} as fast as it goes, solver on {THREADS} thread, commit {commit()}, "
+        f"medians of {runs} runs in turn"
+    )
     for (_, frames), series in found.items():
         print_case(series, frames)
     print("\nTarget: at most 1.10 with a subscriber; nothing that can be measured without.")
@@ -101,10 +115,16 @@ def print_costs(folder, runs):
 def print_case(found, frames):
     base = found.median("run_scene")
     what = f"{found.median('particles'):,.0f} particles, {frames} frames"
-    print(f"\n{what:<30}"
-          f"{'wall s':>9} {'ratio':>7} {'spread':>8} {'processor s':>12} {'clouds':>7}")
+    print(
+        f"\n{what:<30}"
+        f"{'wall s':>9} {'ratio':>7} {'spread':>8} {'processor s':>12} {'clouds':>7}"
+    )
     print(f"{'run_scene':<30}{base:>9.3f} {1:>7.3f} {100 * found.spread('run_scene'):>6.1f} %")
     for how, name in (("alone", "node, nobody subscribes"), ("subscribe", "node, a subscriber")):
-        wall, processor, clouds = (found.median(how + part) for part in ("", " processor", " clouds"))
-        print(f"{name:<30}{wall:>9.3f} {wall / base:>7.3f} {100 * found.spread(how):>6.1f} % "
-              f"{processor:>12.3f} {clouds:>7.0f}")
+        wall, processor, clouds = (
+            found.median(how + part) for part in ("", " processor", " clouds")
+        )
+        print(
+            f"{name:<30}{wall:>9.3f} {wall / base:>7.3f} {100 * found.spread(how):>6.1f} % "
+            f"{processor:>12.3f} {clouds:>7.0f}"
+        )

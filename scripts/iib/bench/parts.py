@@ -30,10 +30,25 @@ PARTS = (
     ("viscosity", BARE, (*SCENE, "containers=[]"), ("viscosity",)),
     ("colliders: a tank", BARE, TANK, ("collide",)),
     ("density of walls", TANK, WALLS, ()),
-    ("springs, freezing", BARE, (*BARE, "temperature.initial_c=2"), ("make_springs", "correct_springs")),
-    ("springs, frozen", BARE, (*BARE, *ICE, "temperature.initial_c=-10"), ("make_springs", "correct_springs")),
+    (
+        "springs, freezing",
+        BARE,
+        (*BARE, "temperature.initial_c=2"),
+        ("make_springs", "correct_springs"),
+    ),
+    (
+        "springs, frozen",
+        BARE,
+        (*BARE, *ICE, "temperature.initial_c=-10"),
+        ("make_springs", "correct_springs"),
+    ),
     ("heat of water", (*SCENE, "containers=[]"), HEATED, ("heat", "phases")),
-    ("rigid ice, one body", (*HEATED, BLOCK.format(5)), (*HEATED, BLOCK.format(-5)), ("ice_contacts", "ice_bodies")),
+    (
+        "rigid ice, one body",
+        (*HEATED, BLOCK.format(5)),
+        (*HEATED, BLOCK.format(-5)),
+        ("ice_contacts", "ice_bodies"),
+    ),
     ("steam", (*HEATED, BLOCK.format(5)), (*HEATED, BLOCK.format(200)), ()),
 )
 
@@ -42,7 +57,9 @@ class Cost:
     """Instructions and bytes per particle of a scene, and its stages."""
 
     def __init__(self, tree, overrides):
-        report = report_of(tree.program("run_scene"), "dam_break", overrides, duration=FRAMES / 60.0, threads=1)
+        report = report_of(
+            tree.program("run_scene"), "dam_break", overrides, duration=FRAMES / 60.0, threads=1
+        )
         substeps = report["steps"]
         self.instructions = count(tree, "dam_break", overrides) / report["particles"] / substeps
         self.stages = {stage["name"]: stage for stage in report["stages"]}
@@ -62,7 +79,13 @@ def print_parts(folder):
     rows = [row(*part, cost) for part in PARTS]
     bare = cost(BARE)
     bar.close()
-    first = ["water alone", f"{bare.instructions:.0f}", f"{bare.bytes:.0f}", ", ".join(bare.stages), ""]
+    first = [
+        "water alone",
+        f"{bare.instructions:.0f}",
+        f"{bare.bytes:.0f}",
+        ", ".join(bare.stages),
+        "",
+    ]
     print(f"Instructions per particle and substep, bytes per particle; commit {commit()}.\n")
     print(markdown.table(COLUMNS, [first, *rows], left=[COLUMNS[0], *COLUMNS[3:]]))
 
@@ -70,6 +93,18 @@ def print_parts(folder):
 def row(name, without, with_it, stages, cost):
     off, on = cost(without), cost(with_it)
     left = [stage for stage in stages if stage in off.stages]
-    absent = f"still there: {', '.join(left)}" if left else "0, 0: no such stage" if stages else "no such array"
+    absent = (
+        f"still there: {', '.join(left)}"
+        if left
+        else "0, 0: no such stage"
+        if stages
+        else "no such array"
+    )
     instructions, size = on.instructions - off.instructions, on.bytes - off.bytes
-    return [name, f"{instructions:+.0f}", f"{size:+.0f}", ", ".join(stages) or "within lambda", absent]
+    return [
+        name,
+        f"{instructions:+.0f}",
+        f"{size:+.0f}",
+        ", ".join(stages) or "within lambda",
+        absent,
+    ]

@@ -23,8 +23,10 @@ def write(folder, runs):
     path = ROOT / "bench" / "results" / f"{name}.csv"
     path.parent.mkdir(exist_ok=True)
     with open(path, "w", newline="") as file:
-        file.write(f"# {processor()}, {os.cpu_count()} processors; commit {commit()}; "
-                   f"{datetime.date.today()}; {runs} runs; time: of the processor on one thread, else wall\n")
+        file.write(
+            f"# {processor()}, {os.cpu_count()} processors; commit {commit()}; "
+            f"{datetime.date.today()}; {runs} runs; time: of the processor on one thread, else wall\n"
+        )
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["benchmark", "quantity", "unit", "median", "least", "most"])
         for key, values in found.items():

@@ -37,8 +37,14 @@ def microbench(program, pattern, min_time_s=0.1):
     On one thread the processor's time counts, which others on the machine disturb less; wall time is
     beside it as "NAME wall".
     """
-    out = run([program, f"--benchmark_filter={pattern}", f"--benchmark_min_time={min_time_s}",
-                  "--benchmark_format=json"])
+    out = run(
+        [
+            program,
+            f"--benchmark_filter={pattern}",
+            f"--benchmark_min_time={min_time_s}",
+            "--benchmark_format=json",
+        ]
+    )
     values = {}
     for b in json.loads(out)["benchmarks"] if out.strip() else []:
         name = re.sub(r"/(real_time|iterations:\d+)", "", b["name"])

@@ -21,7 +21,9 @@ def two_at_once(program, pattern):
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         one, other = pool.map(lambda _: microbench(program, pattern), range(2))
     return {
-        f"{name} beside another": (one[name] + other[name]) / 2 for name in one if name.endswith(" wall")
+        f"{name} beside another": (one[name] + other[name]) / 2
+        for name in one
+        if name.endswith(" wall")
     }
 
 
@@ -30,7 +32,9 @@ def measure(program):
     values = {}
     values.update(microbench(program, r"bound/iteration(_skinned)?/n:30000/|scene/.*/n:30000/"))
     values.update(two_at_once(program, f"{POOL}/n:30000/threads:1|{BOUND}/n:30000/threads:1"))
-    values.update(microbench(program, f"({POOL}|{BOUND}|neighbours/build)/n:(30000|1000000)/threads:1"))
+    values.update(
+        microbench(program, f"({POOL}|{BOUND}|neighbours/build)/n:(30000|1000000)/threads:1")
+    )
     return values
 
 
@@ -62,10 +66,16 @@ def ratio_line(what, value, target=""):
 def bound_lines(found):
     bare = found.median(at(BOUND, 30000, 1) + " per_particle")
     skinned = found.median(at("bound/iteration_skinned", 30000, 1) + " per_particle")
-    lines = [f"{'bound, ns per particle and iteration':<66} {1e9 * bare:>7.1f}",
-             f"{'the same with lists that reach 0.3 spacings further':<66} {1e9 * skinned:>7.1f}"]
-    for name, without in ((at("scene/floating", 30000, 1), ()), (at(POOL, 30000, 1), ("collide",)),
-                          (at(POOL, 30000, 1), ()), (at(DAM, 30000, 1), ())):
+    lines = [
+        f"{'bound, ns per particle and iteration':<66} {1e9 * bare:>7.1f}",
+        f"{'the same with lists that reach 0.3 spacings further':<66} {1e9 * skinned:>7.1f}",
+    ]
+    for name, without in (
+        (at("scene/floating", 30000, 1), ()),
+        (at(POOL, 30000, 1), ("collide",)),
+        (at(POOL, 30000, 1), ()),
+        (at(DAM, 30000, 1), ()),
+    ):
         cost = iteration(found, name, without)
         what = f"iteration of {name.split('/')[1]}{' less collide' if without else ''}"
         lines.append(ratio_line(f"{what} ({1e9 * cost:.1f} ns) / bound", cost / bare, "target 1.5"))
@@ -81,19 +91,28 @@ def thread_lines(found):
     for name in (POOL, BOUND):
         alone = found.median(at(name, 30000, 1) + " wall")
         beside = found.median(at(name, 30000, 1) + " wall beside another")
-        lines.append(ratio_line(f"{name}: two processes of one thread / one, speed",
-                                2 * alone / beside, "what the machine allows"))
+        lines.append(
+            ratio_line(
+                f"{name}: two processes of one thread / one, speed",
+                2 * alone / beside,
+                "what the machine allows",
+            )
+        )
     return lines
 
 
 def size_lines(found):
     lines = []
-    for name, per in ((POOL, "per_particle_substep"), (BOUND, "per_particle"),
-                      ("neighbours/build", "per_particle")):
+    for name, per in (
+        (POOL, "per_particle_substep"),
+        (BOUND, "per_particle"),
+        ("neighbours/build", "per_particle"),
+    ):
         small, large = (found.median(f"{at(name, n, 1)} {per}") for n in (30000, 1000000))
         target = "target 1.3" if name == POOL else ""
-        lines.append(ratio_line(f"{name}: a particle among 1,000,000 / among 30,000",
-                                large / small, target))
+        lines.append(
+            ratio_line(f"{name}: a particle among 1,000,000 / among 30,000", large / small, target)
+        )
     return lines
 
 

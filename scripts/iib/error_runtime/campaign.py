@@ -55,7 +55,9 @@ def measure(campaign, program, command, fresh=False):
     if campaign.trajectory_s > 0:
         from iib.error_runtime.trajectory import Reference  # needs numpy, which only this does
 
-        reference = Reference(store.folder, runner, campaign.trajectory_s, campaign.trajectory_substeps)
+        reference = Reference(
+            store.folder, runner, campaign.trajectory_s, campaign.trajectory_substeps
+        )
         reference.make(about["program"], say)
         about["reference"] = reference.kept
     try:

@@ -26,14 +26,16 @@ def joined(tables, keys):
     found = []
     for setting in sorted(common, key=lambda values: [sort_key(value) for value in values]):
         rows = [table[setting] for table in by_setting]
-        found.append({
-            "keys": dict(zip(keys, setting)),
-            "rows": rows,
-            "cost": max(row[COST] for row in rows),
-            "error": max(row["density_mean"] for row in rows),
-            "largest": max(row["density_max"] for row in rows),
-            "energy_rise": max(row.get("energy_rise", 0) for row in rows),
-        })
+        found.append(
+            {
+                "keys": dict(zip(keys, setting)),
+                "rows": rows,
+                "cost": max(row[COST] for row in rows),
+                "error": max(row["density_mean"] for row in rows),
+                "largest": max(row["density_max"] for row in rows),
+                "energy_rise": max(row.get("energy_rise", 0) for row in rows),
+            }
+        )
     return found
 
 
@@ -61,13 +63,16 @@ def most_particles(setting):
 
 def against_peers(rows, peers):
     """Per peer's point: the cheapest of our stable points that is no worse in the mean and, where it was
-    measured, the largest error; and how many times cheaper it is. None where no point is as accurate."""
+    measured, the largest error; and how many times cheaper it is. None where no point is as accurate.
+    """
     compared = []
     for peer in peers:
         largest = peer["max_error_percent"] or float("inf")
         as_good = [
-            row for row in rows
-            if row["status"] == "ok" and 100 * row["density_mean"] <= peer["mean_error_percent"]
+            row
+            for row in rows
+            if row["status"] == "ok"
+            and 100 * row["density_mean"] <= peer["mean_error_percent"]
             and 100 * row["density_max"] <= largest
         ]
         best = min(as_good, key=lambda row: row[COST], default=None)

@@ -44,24 +44,45 @@ def parser():
     grid = p.add_argument_group("axes of the grid, values between commas")
     for name, key in SHORTHANDS.items():
         grid.add_argument("--" + name.replace("_", "-"), metavar="V1,V2", help=key)
-    grid.add_argument("--grid", action="append", default=[], metavar="KEY=V1,V2",
-                      help="any key of config/default.yaml by its dotted name; may stand several times")
-    p.add_argument("--set", action="append", default=[], metavar="KEY=VALUE",
-                   help="holds for every point")
+    grid.add_argument(
+        "--grid",
+        action="append",
+        default=[],
+        metavar="KEY=V1,V2",
+        help="any key of config/default.yaml by its dotted name; may stand several times",
+    )
+    p.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", help="holds for every point"
+    )
     p.add_argument("--duration", type=float, help="simulated seconds; without it the scene's own")
     p.add_argument("--repeats", type=int, default=3, help="runs per point (3)")
-    p.add_argument("--timeout", type=float, default=600, help="wall seconds that a run may take (600)")
-    p.add_argument("--trajectory", type=float, default=0, metavar="SECONDS",
-                   help="compare the first seconds with a reference in double, made once")
-    p.add_argument("--trajectory-substeps", type=int, default=64, help="substeps of the reference (64)")
+    p.add_argument(
+        "--timeout", type=float, default=600, help="wall seconds that a run may take (600)"
+    )
+    p.add_argument(
+        "--trajectory",
+        type=float,
+        default=0,
+        metavar="SECONDS",
+        help="compare the first seconds with a reference in double, made once",
+    )
+    p.add_argument(
+        "--trajectory-substeps", type=int, default=64, help="substeps of the reference (64)"
+    )
     p.add_argument("--peers", metavar="FILE", help="points of other programs, drawn beside these")
     p.add_argument("--out", type=pathlib.Path, help="folder (out/error_vs_runtime/SCENE)")
     p.add_argument("--no-pictures", action="store_true", help="tables only; needs no matplotlib")
     p.add_argument("--fresh", action="store_true", help="forget what the folder holds")
-    p.add_argument("--resume", action="store_true", help="go on where it stopped: what happens anyway")
+    p.add_argument(
+        "--resume", action="store_true", help="go on where it stopped: what happens anyway"
+    )
     p.add_run_scene()
-    p.add_argument("--report", action="store_true", help="write doc/error_vs_runtime.md and its pictures")
-    p.add_argument("--no-run", action="store_true", help="with --report: from what has been measured")
+    p.add_argument(
+        "--report", action="store_true", help="write doc/error_vs_runtime.md and its pictures"
+    )
+    p.add_argument(
+        "--no-run", action="store_true", help="with --report: from what has been measured"
+    )
     p.add_argument("--doc", type=pathlib.Path, default=DOC, help="folder of the report (doc)")
     return p
 
@@ -100,8 +121,18 @@ def run_grid(args, program, command):
     axes = parse_grid({name: getattr(args, name) for name in SHORTHANDS}, args.grid)
     peers = read_peers(args.peers) if args.peers else []
     out = args.out or ROOT / "out" / "error_vs_runtime" / pathlib.Path(args.scene).stem
-    campaign = Campaign(args.scene, out, axes, expand(axes), args.duration, tuple(args.set), args.repeats,
-                        args.timeout, args.trajectory, args.trajectory_substeps)
+    campaign = Campaign(
+        args.scene,
+        out,
+        axes,
+        expand(axes),
+        args.duration,
+        tuple(args.set),
+        args.repeats,
+        args.timeout,
+        args.trajectory,
+        args.trajectory_substeps,
+    )
     runs = measure(campaign, program, command, args.fresh)
     rows = table(runs)
     if not args.no_pictures:
@@ -117,7 +148,9 @@ def run_grid(args, program, command):
 def run(words):
     args = parser().parse_args(words)
     check_options(args)
-    require_modules([] if args.no_pictures else ["matplotlib"], ["numpy"] if args.trajectory else [])
+    require_modules(
+        [] if args.no_pictures else ["matplotlib"], ["numpy"] if args.trajectory else []
+    )
     command = shlex.join(["scripts/error_vs_runtime", *words])
     if args.report:
         from iib.error_runtime.report import make_report

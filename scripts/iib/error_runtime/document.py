@@ -90,10 +90,23 @@ def counts_table(settings, keys):
         if best is None:
             fastest = min(settings, key=lambda s: s["cost"])
             factor = 1e6 / (count * fastest["cost"])
-            lines.append([f"{count:,}", f"none in real time; {setting(fastest['keys'], keys)}: ×{factor:.2f}",
-                          percent(fastest["error"]), percent(fastest["largest"])])
+            lines.append(
+                [
+                    f"{count:,}",
+                    f"none in real time; {setting(fastest['keys'], keys)}: ×{factor:.2f}",
+                    percent(fastest["error"]),
+                    percent(fastest["largest"]),
+                ]
+            )
             break
-        lines.append([f"{count:,}", setting(best["keys"], keys), percent(best["error"]), percent(best["largest"])])
+        lines.append(
+            [
+                f"{count:,}",
+                setting(best["keys"], keys),
+                percent(best["error"]),
+                percent(best["largest"]),
+            ]
+        )
     return markdown.table(["particles in real time", "take", "mean error %", "largest %"], lines)
 
 
@@ -105,22 +118,41 @@ def targets_table(settings, keys, names):
             lines.append([percent(target), "none of those measured"] + ["–"] * (len(names) + 2))
             continue
         errors = [percent(row["density_mean"]) for row in best["rows"]]
-        lines.append([percent(target), setting(best["keys"], keys), f"{best['cost']:.0f}",
-                      f"{choices.most_particles(best):,.0f}", *errors])
-    return markdown.table(["mean error at most %", "take", "µs/particle/s", "particles in real time",
-                    *(f"% in {name}" for name in names)], lines)
+        lines.append(
+            [
+                percent(target),
+                setting(best["keys"], keys),
+                f"{best['cost']:.0f}",
+                f"{choices.most_particles(best):,.0f}",
+                *errors,
+            ]
+        )
+    return markdown.table(
+        [
+            "mean error at most %",
+            "take",
+            "µs/particle/s",
+            "particles in real time",
+            *(f"% in {name}" for name in names),
+        ],
+        lines,
+    )
 
 
 def advice(settings, keys, count=20_000):
     best = choices.for_count(settings, count)
     if best is not None:
-        return (f"**For 30 fps with {count:,} particles take {setting(best['keys'], keys)}** "
-                f"(`{choices.overrides({k: best['keys'][k] for k in keys})}`): real time, mean density error "
-                f"{percent(best['error'])} % in the worst of these scenes.")
+        return (
+            f"**For 30 fps with {count:,} particles take {setting(best['keys'], keys)}** "
+            f"(`{choices.overrides({k: best['keys'][k] for k in keys})}`): real time, mean density error "
+            f"{percent(best['error'])} % in the worst of these scenes."
+        )
     fastest = min(settings, key=lambda s: s["cost"])
-    return (f"**{count:,} particles do not reach real time on this machine**: the fastest setting, "
-            f"{setting(fastest['keys'], keys)}, runs at ×{1e6 / (count * fastest['cost']):.2f}, and in real time at "
-            f"up to {choices.most_particles(fastest):,.0f} particles.")
+    return (
+        f"**{count:,} particles do not reach real time on this machine**: the fastest setting, "
+        f"{setting(fastest['keys'], keys)}, runs at ×{1e6 / (count * fastest['cost']):.2f}, and in real time at "
+        f"up to {choices.most_particles(fastest):,.0f} particles."
+    )
 
 
 def conclusions(results):
@@ -131,32 +163,54 @@ def conclusions(results):
         return "No setting was stable and kept its energy in every scene of water.\n"
     keys = varying([s["keys"] for s in settings], axes)
     names = [result.study.scene for result in water]
-    return "\n\n".join([
-        advice(settings, keys),
-        f"Each setting is judged by the worst of {', '.join(names[:-1])} and {names[-1]}; those with which energy rises "
-        f"without work by more than {percent(choices.MAX_ENERGY_RISE)} % are left out. Real time holds at any frame "
-        "rate: a viewer at 30 fps shows every second frame of 1/60 s.",
-        counts_table(settings, keys),
-        targets_table(settings, keys, names),
-    ]) + "\n"
+    return (
+        "\n\n".join(
+            [
+                advice(settings, keys),
+                f"Each setting is judged by the worst of {', '.join(names[:-1])} and {names[-1]}; those with which energy rises "
+                f"without work by more than {percent(choices.MAX_ENERGY_RISE)} % are left out. Real time holds at any frame "
+                "rate: a viewer at 30 fps shows every second frame of 1/60 s.",
+                counts_table(settings, keys),
+                targets_table(settings, keys, names),
+            ]
+        )
+        + "\n"
+    )
 
 
 def peers_section(results, peers):
     if not peers:
         return ""
-    result, = [r for r in results if r.study.name == PEERS_STUDY]
+    (result,) = [r for r in results if r.study.name == PEERS_STUDY]
     keys = varying(result.rows, result.axes)
     lines = []
     for peer, best, ratio in choices.against_peers(result.rows, peers):
         ours = ["none", "–", "–"]
         if best:
             ours = [setting(best, keys), f"{best[choices.COST]:.0f}", f"**{ratio:.1f}**"]
-        lines.append([f"{peer['peer']} {peer['method']} {peer['setting']}",
-                      f"{peer['us_per_particle_per_s']:.0f}", f"{peer['mean_error_percent']:g}",
-                      f"{peer['max_error_percent'] or '–'}", *ours])
-    header = ["peer", "µs/particle/s", "mean error %", "largest %", "cheapest here that is no worse in both",
-              "µs/particle/s", "times cheaper"]
-    return f"## Against others\n\nOn {result.study.scene}:\n\n" + markdown.table(header, lines) + "\n\n"
+        lines.append(
+            [
+                f"{peer['peer']} {peer['method']} {peer['setting']}",
+                f"{peer['us_per_particle_per_s']:.0f}",
+                f"{peer['mean_error_percent']:g}",
+                f"{peer['max_error_percent'] or '–'}",
+                *ours,
+            ]
+        )
+    header = [
+        "peer",
+        "µs/particle/s",
+        "mean error %",
+        "largest %",
+        "cheapest here that is no worse in both",
+        "µs/particle/s",
+        "times cheaper",
+    ]
+    return (
+        f"## Against others\n\nOn {result.study.scene}:\n\n"
+        + markdown.table(header, lines)
+        + "\n\n"
+    )
 
 
 def origin(results):
@@ -164,9 +218,11 @@ def origin(results):
     commits = sorted({run["commit"] for run in runs})
     dates = sorted(run["date"] for run in runs)
     took = sum(run["seconds"] for run in runs) / 60
-    return (f"Made by `scripts/error_vs_runtime --report` at commit {', '.join(commits)} on {machine.processor()}, "
-            f"{THREADS} threads and float where nothing else is said, {dates[0][:10]}; {len(runs)} runs, "
-            f"{took:.0f} min of machine time. A setting's cost depends on the processor: run it on yours.")
+    return (
+        f"Made by `scripts/error_vs_runtime --report` at commit {', '.join(commits)} on {machine.processor()}, "
+        f"{THREADS} threads and float where nothing else is said, {dates[0][:10]}; {len(runs)} runs, "
+        f"{took:.0f} min of machine time. A setting's cost depends on the processor: run it on yours."
+    )
 
 
 def meaning(results):
@@ -182,5 +238,13 @@ def meaning(results):
 
 def document(results, peers):
     sections = [study_section(result) for result in results]
-    return "\n".join(["# Error against run time\n", origin(results) + "\n", "## What to take\n",
-                      conclusions(results), peers_section(results, peers) + "\n".join(sections), meaning(results)])
+    return "\n".join(
+        [
+            "# Error against run time\n",
+            origin(results) + "\n",
+            "## What to take\n",
+            conclusions(results),
+            peers_section(results, peers) + "\n".join(sections),
+            meaning(results),
+        ]
+    )

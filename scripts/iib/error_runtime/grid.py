@@ -75,7 +75,9 @@ def parse_grid(shorthands, grid_texts):
     for text in grid_texts:
         key, separator, values = text.partition("=")
         if not separator or not key.strip():
-            raise Refusal(f'--grid "{text}" must be key=v1,v2,..., as --grid solver.epsilon=0.01,0.1')
+            raise Refusal(
+                f'--grid "{text}" must be key=v1,v2,..., as --grid solver.epsilon=0.01,0.1'
+            )
         given.append((SHORTHANDS.get(key.strip().replace("-", "_"), key.strip()), values))
     for key, text in given:
         if key in axes:
@@ -91,4 +93,6 @@ def expand(axes):
 
 def identity(point):
     """The point as one line that does not depend on the order of its axes."""
-    return " ".join(f"{key}={value}" for key, value in sorted(point.items())) or "as the scene has it"
+    return (
+        " ".join(f"{key}={value}" for key, value in sorted(point.items())) or "as the scene has it"
+    )

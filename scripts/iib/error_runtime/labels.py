@@ -22,7 +22,12 @@ def boxes_around(x, y, width, height):
             dx, dy = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
             centre_x = x + dx * (distance + width / 2)
             centre_y = y + dy * (distance + height / 2)
-            yield (centre_x - width / 2, centre_y - height / 2, centre_x + width / 2, centre_y + height / 2)
+            yield (
+                centre_x - width / 2,
+                centre_y - height / 2,
+                centre_x + width / 2,
+                centre_y + height / 2,
+            )
 
 
 def place(points, sizes, frame, half_marker=4.0):
@@ -30,7 +35,9 @@ def place(points, sizes, frame, half_marker=4.0):
 
     Earlier points choose first. Where nothing is free the place that covers least is taken.
     """
-    taken = [(x - half_marker, y - half_marker, x + half_marker, y + half_marker) for x, y in points]
+    taken = [
+        (x - half_marker, y - half_marker, x + half_marker, y + half_marker) for x, y in points
+    ]
     placed = []
     for (x, y), (width, height) in zip(points, sizes):
         best, least = None, math.inf

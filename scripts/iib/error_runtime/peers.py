@@ -40,5 +40,7 @@ def positive(text, thing):
     except ValueError:
         value = 0.0
     if not 0.0 < value < float("inf"):
-        raise Refusal(f"{thing} = {text} must be a number above 0, or empty where it was not measured")
+        raise Refusal(
+            f"{thing} = {text} must be a number above 0, or empty where it was not measured"
+        )
     return value

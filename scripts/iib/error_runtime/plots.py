@@ -104,8 +104,15 @@ def draw_series(axes, series, name):
         axes.plot(*zip(*xy), series.marker, color=series.color, ms=5, zorder=4, label=series.name)
     for row in good:
         spread = [row[COST + "_min"], row[COST + "_max"]]
-        axes.plot(spread, [value_of(row, name)] * 2, color=series.color, lw=2.4, alpha=0.25, zorder=3,
-                  solid_capstyle="butt")
+        axes.plot(
+            spread,
+            [value_of(row, name)] * 2,
+            color=series.color,
+            lw=2.4,
+            alpha=0.25,
+            zorder=3,
+            solid_capstyle="butt",
+        )
     for row in bad:
         axes.plot(row[COST], value_of(row, name), "x", color=series.color, ms=8, mew=2, zorder=5)
 
@@ -117,7 +124,16 @@ def draw_front(axes, rows, name, joined=True):
         xy = list(zip(*[(row[COST], value_of(row, name)) for row in chosen]))
         if joined:
             axes.plot(*xy, "-", color="0.15", lw=5, alpha=0.12, zorder=1, solid_joinstyle="round")
-        axes.plot(*xy, "o", mfc="none", mec="0.15", mew=1.1, ms=9.5, zorder=3, label="front of the mean error")
+        axes.plot(
+            *xy,
+            "o",
+            mfc="none",
+            mec="0.15",
+            mew=1.1,
+            ms=9.5,
+            zorder=3,
+            label="front of the mean error",
+        )
 
 
 def draw_peers(axes, peers, column):
@@ -129,9 +145,19 @@ def draw_peers(axes, peers, column):
     for number, ((name, method), points) in enumerate(methods.items()):
         points.sort(key=lambda peer: peer["us_per_particle_per_s"])
         xy = [(peer["us_per_particle_per_s"], peer[column]) for peer in points]
-        axes.plot(*zip(*xy), "--" + MARKERS[number % len(MARKERS)], color="0.45", mfc="white", lw=0.9,
-                  ms=5, zorder=3, label=f"{name} {method}")
-        labels += [(x, y, p["setting"], {"fontsize": 7, "color": "0.35"}) for (x, y), p in zip(xy, points)]
+        axes.plot(
+            *zip(*xy),
+            "--" + MARKERS[number % len(MARKERS)],
+            color="0.45",
+            mfc="white",
+            lw=0.9,
+            ms=5,
+            zorder=3,
+            label=f"{name} {method}",
+        )
+        labels += [
+            (x, y, p["setting"], {"fontsize": 7, "color": "0.35"}) for (x, y), p in zip(xy, points)
+        ]
     return labels
 
 
@@ -155,9 +181,17 @@ def mark_unplaced(axes, rows, name):
         axes.plot([], [], "x", color="0.4", mew=2, ms=8, label="unstable")
     if unplaced:
         kinds = " or ".join(sorted({row["status"] for row in unplaced}))
-        which = textwrap.shorten("; ".join(row["point"] for row in unplaced), 90, placeholder=" ...")
-        axes.text(0.012, 0.012, f"× {len(unplaced)} {kinds}: {which}", transform=axes.transAxes,
-                  fontsize=7, color="#B00020")
+        which = textwrap.shorten(
+            "; ".join(row["point"] for row in unplaced), 90, placeholder=" ..."
+        )
+        axes.text(
+            0.012,
+            0.012,
+            f"× {len(unplaced)} {kinds}: {which}",
+            transform=axes.transAxes,
+            fontsize=7,
+            color="#B00020",
+        )
 
 
 def second_scale(axes, rows):
@@ -174,8 +208,15 @@ def second_scale(axes, rows):
     low, high = axes.get_xlim()
     if low < 1 / scale < high:
         axes.axvline(1 / scale, color="0.5", lw=0.8, ls=":", zorder=1)
-        axes.text(1 / scale, 0.99, " real time", transform=axes.get_xaxis_transform(), fontsize=7,
-                  color="0.4", va="top")
+        axes.text(
+            1 / scale,
+            0.99,
+            " real time",
+            transform=axes.get_xaxis_transform(),
+            fontsize=7,
+            color="0.4",
+            va="top",
+        )
 
 
 def error_picture(path, rows, axes_keys, peers, title, xlabel=PER_PARTICLE[1], name="density_mean"):
@@ -225,7 +266,9 @@ def face_panel(axes, rows, along, all_series, peers, name):
     log_axis(axes.xaxis, 1.7)
     if axes.get_yscale() == "log":
         log_axis(axes.yaxis, 1.7)
-    annotate(axes, [label for label in point_labels(along, all_series, name) if "fontweight" in label[3]])
+    annotate(
+        axes, [label for label in point_labels(along, all_series, name) if "fontweight" in label[3]]
+    )
 
 
 def panels_of(rows):
@@ -251,7 +294,9 @@ def faces_picture(path, rows, axes_keys, peers, title):
             axes.set_xlabel(PER_PARTICLE[1], fontsize=8)
     strip = figure.add_subplot(grid[lines, :])
     strip.set_axis_off()
-    strip.legend(*figure.axes[0].get_legend_handles_labels(), loc="upper center", ncols=4, fontsize=8)
+    strip.legend(
+        *figure.axes[0].get_legend_handles_labels(), loc="upper center", ncols=4, fontsize=8
+    )
     figure.suptitle(f"{title}: the other faces of the error", x=0.01, ha="left", fontweight="bold")
     figure.savefig(path)
     pyplot.close(figure)
@@ -270,5 +315,11 @@ def draw(folder, rows, axes_keys, peers, title, prefix=""):
         error_picture(folder / f"{prefix}error.png", per_particle, axes_keys, peers, title)
         faces_picture(folder / f"{prefix}faces.png", per_particle, axes_keys, peers, title)
         if len({row["particles"] for row in rows if "particles" in row}) > 1:
-            error_picture(folder / f"{prefix}error_run_time.png", with_cost(rows, ABSOLUTE[0]),
-                          axes_keys, [], title, ABSOLUTE[1])
+            error_picture(
+                folder / f"{prefix}error_run_time.png",
+                with_cost(rows, ABSOLUTE[0]),
+                axes_keys,
+                [],
+                title,
+                ABSOLUTE[1],
+            )

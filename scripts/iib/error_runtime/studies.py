@@ -35,17 +35,42 @@ class Study:
 
 
 STUDIES = (
-    Study("dam_break", "dam_break", "water in violent motion, the scene by which solvers are compared",
-          WATER, 2.0, trajectory_s=0.5),
-    Study("column", "hydrostatic_column", "water that should stand still, twenty particles high", WATER, 2.0),
-    Study("splash", "container_splash", "a block falls into a container, as in the demo", WATER, 2.0),
-    Study("ice", "freeze_container", "a splash that freezes in mid-wave and stays frozen",
-          ({"solver.quality": ["fast", "balanced", "accurate"]}, {"preset": ["paper"]}), 3.0,
-          ("schedule=[{at_s: 0.5, celsius: -10, ramp_s: 1}]", "springs.sleep_speed_m_s=0"),
-          water=False),
-    Study("variants", "dam_break", "threads, precision and the paper's own method",
-          ({"threads": ["1", "2"], "precision": ["float", "double"]}, {"preset": ["paper"]}), 1.0,
-          water=False, picture=False),
+    Study(
+        "dam_break",
+        "dam_break",
+        "water in violent motion, the scene by which solvers are compared",
+        WATER,
+        2.0,
+        trajectory_s=0.5,
+    ),
+    Study(
+        "column",
+        "hydrostatic_column",
+        "water that should stand still, twenty particles high",
+        WATER,
+        2.0,
+    ),
+    Study(
+        "splash", "container_splash", "a block falls into a container, as in the demo", WATER, 2.0
+    ),
+    Study(
+        "ice",
+        "freeze_container",
+        "a splash that freezes in mid-wave and stays frozen",
+        ({"solver.quality": ["fast", "balanced", "accurate"]}, {"preset": ["paper"]}),
+        3.0,
+        ("schedule=[{at_s: 0.5, celsius: -10, ramp_s: 1}]", "springs.sleep_speed_m_s=0"),
+        water=False,
+    ),
+    Study(
+        "variants",
+        "dam_break",
+        "threads, precision and the paper's own method",
+        ({"threads": ["1", "2"], "precision": ["float", "double"]}, {"preset": ["paper"]}),
+        1.0,
+        water=False,
+        picture=False,
+    ),
 )
 
 
@@ -72,5 +97,13 @@ def points_of(study, runner):
 def campaign_of(study, folder, program, repeats):
     constants = {"scene": study.scene, "duration_s": study.duration_s, "set": list(study.fixed)}
     points = points_of(study, Runner(program, constants))
-    return Campaign(study.scene, folder / study.name, {}, points, study.duration_s, study.fixed, repeats,
-                    trajectory_s=study.trajectory_s)
+    return Campaign(
+        study.scene,
+        folder / study.name,
+        {},
+        points,
+        study.duration_s,
+        study.fixed,
+        repeats,
+        trajectory_s=study.trajectory_s,
+    )

@@ -81,6 +81,8 @@ class Reference:
         for part in (0.25, 0.5, 1.0):
             frame = round(part * (len(reference) - 1))
             if frame < len(apart):
-                faces[f"apart_spacings_at_{frame / self.kept['frame_rate_hz']:.2f}_s"] = float(apart[frame])
+                faces[f"apart_spacings_at_{frame / self.kept['frame_rate_hz']:.2f}_s"] = float(
+                    apart[frame]
+                )
         faces["within_a_spacing_s"] = time_within(apart, self.kept["frame_rate_hz"])
         return faces

@@ -42,7 +42,11 @@ class Freezing:
             swept = self.ice_kg_m3 / self.water_kg_m3 * ratio * guess
             warm = superheat * math.exp(-(swept**2)) / math.erfc(swept) if superheat else 0.0
             supply = math.exp(-(guess**2)) / math.erf(guess) - warm
-            low, high = (guess, high) if supply > guess * math.sqrt(math.pi) / self.stefan_number() else (low, guess)
+            low, high = (
+                (guess, high)
+                if supply > guess * math.sqrt(math.pi) / self.stefan_number()
+                else (low, guess)
+            )
         return 0.5 * (low + high)
 
     def front(self, heat_s):

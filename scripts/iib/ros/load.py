@@ -16,15 +16,19 @@ class SilentSubscriber:
     """Subscribes to a topic as roscpp and rospy do, and never reads a byte of it."""
 
     def __init__(self, node, topic, kind):
-        master = rosgraph.Master('/silent_subscriber')
+        master = rosgraph.Master("/silent_subscriber")
         api = xmlrpc.client.ServerProxy(master.lookupNode(node))
-        _, _, (protocol, host, port) = api.requestTopic('/silent_subscriber', topic, [['TCPROS']])
-        assert protocol == 'TCPROS', protocol
+        _, _, (protocol, host, port) = api.requestTopic("/silent_subscriber", topic, [["TCPROS"]])
+        assert protocol == "TCPROS", protocol
         self.socket = socket.create_connection((host, port), timeout=10)
-        fields = ['callerid=/silent_subscriber', 'topic=' + topic, 'type=' + kind._type,
-                  'md5sum=' + kind._md5sum]
-        header = b''.join(struct.pack('<I', len(f)) + f.encode() for f in fields)
-        self.socket.sendall(struct.pack('<I', len(header)) + header)
+        fields = [
+            "callerid=/silent_subscriber",
+            "topic=" + topic,
+            "type=" + kind._type,
+            "md5sum=" + kind._md5sum,
+        ]
+        header = b"".join(struct.pack("<I", len(f)) + f.encode() for f in fields)
+        self.socket.sendall(struct.pack("<I", len(header)) + header)
 
     def close(self):
         self.socket.close()
@@ -43,8 +47,10 @@ class Clients:
         self.lock = threading.Lock()
         self.answered, self.lost, self.refused, self.failures = 0, 0, [], []
         self.stop = threading.Event()
-        self.threads = [threading.Thread(target=self._run, args=(random.Random(seed + k),))
-                        for k in range(count)]
+        self.threads = [
+            threading.Thread(target=self._run, args=(random.Random(seed + k),))
+            for k in range(count)
+        ]
 
     def __enter__(self):
         for thread in self.threads:

@@ -14,7 +14,7 @@ from iib.ros.node import Node, process_of
 class OwnNode:
     """A master and a simulation node on loopback, both ended with the `with` block."""
 
-    name = '/sim'
+    name = "/sim"
 
     def __init__(self, scene, **parameters):
         self.parameters = dict(parameters, scene=scene)
@@ -22,15 +22,15 @@ class OwnNode:
         self.pid = None
         self.node = None
         self.folder = tempfile.TemporaryDirectory()
-        self.log = os.path.join(self.folder.name, 'log')
+        self.log = os.path.join(self.folder.name, "log")
 
     def __enter__(self):
         port = free_port()
-        os.environ.pop('ROS_HOSTNAME', None)
+        os.environ.pop("ROS_HOSTNAME", None)
         os.environ.update(master.environment(port), ROS_LOG_DIR=self.folder.name)
         self._start(*master.command(port))
         master.await_answer(port)
-        rospy.init_node('load', disable_signals=True)
+        rospy.init_node("load", disable_signals=True)
         self._start_node(self.parameters)
         return self
 
@@ -50,16 +50,16 @@ class OwnNode:
 
     def read_log(self):
         """What the node has written to its log."""
-        with open(self.log, encoding='utf-8', errors='replace') as log:
+        with open(self.log, encoding="utf-8", errors="replace") as log:
             return log.read()
 
     def _start_node(self, parameters):
         for name, value in parameters.items():
-            rospy.set_param(self.name + '/' + name, value)
-        self._start('rosrun', 'ice_ice_baby', 'simulation_node', '__name:=' + self.name[1:])
+            rospy.set_param(self.name + "/" + name, value)
+        self._start("rosrun", "ice_ice_baby", "simulation_node", "__name:=" + self.name[1:])
         self.node = Node(self.name)
         self.pid = process_of(self.name)
 
     def _start(self, *command):
-        with open(self.log, 'a', encoding='utf-8') as log:
+        with open(self.log, "a", encoding="utf-8") as log:
             self.children.append(subprocess.Popen(command, stdout=log, stderr=log))

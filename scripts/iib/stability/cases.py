@@ -39,7 +39,9 @@ def case(number=0, rise=MOST_RISE, because=""):
 
     def register(function):
         title, expected = " ".join(function.__doc__.split()).split(": ", 1)
-        CASES[function.__name__] = Case(function.__name__, number, title, expected, function, rise, because)
+        CASES[function.__name__] = Case(
+            function.__name__, number, title, expected, function, rise, because
+        )
         return function
 
     return register
@@ -109,18 +111,38 @@ def rise_checks(one, rise):
     if math.isnan(rise):
         return []
     what = "energy risen" + (f", {one.because}" if one.because else "")
-    return [reported(what, 100 * rise, "%") if one.rise is None else at_most(what, 100 * rise, 100 * one.rise, "%")]
+    return [
+        reported(what, 100 * rise, "%")
+        if one.rise is None
+        else at_most(what, 100 * rise, 100 * one.rise, "%")
+    ]
 
 
 def of_runs(one, runs, checks):
     reports = [outcome.report for outcome in runs.outcomes if outcome.report]
     rise = most([energy_rise(outcome) for outcome in runs.outcomes])
-    line = Measured(one.name, one.number, one.title, one.expected, [*runs.checks(), *rise_checks(one, rise), *checks])
-    line.commands = [outcome.reproduce() for outcome in [*runs.outcomes, *(outcome for outcome, _ in runs.refusals)]]
+    line = Measured(
+        one.name,
+        one.number,
+        one.title,
+        one.expected,
+        [*runs.checks(), *rise_checks(one, rise), *checks],
+    )
+    line.commands = [
+        outcome.reproduce()
+        for outcome in [*runs.outcomes, *(outcome for outcome, _ in runs.refusals)]
+    ]
     if not reports:
         return line
-    for name in ("particles", "non_finite", "escaped", "fastest_m_s", "density_error_mean", "density_error_max",
-                 "speed_limited"):
+    for name in (
+        "particles",
+        "non_finite",
+        "escaped",
+        "fastest_m_s",
+        "density_error_mean",
+        "density_error_max",
+        "speed_limited",
+    ):
         setattr(line, name, most([report[name] for report in reports]))
     line.energy_rise = rise
     line.simulated_s = sum(report["simulated_time_s"] for report in reports)
@@ -133,8 +155,17 @@ def measure(one, runner):
     runs = Runs(runner)
     try:
         checks = one.measure(runs) or []
-    except (FileNotFoundError, KeyError):  # of a run that was refused or ended before it wrote anything
-        checks = [at_least("runs that wrote a report", sum(bool(o.report) for o in runs.outcomes), len(runs.outcomes))]
+    except (
+        FileNotFoundError,
+        KeyError,
+    ):  # of a run that was refused or ended before it wrote anything
+        checks = [
+            at_least(
+                "runs that wrote a report",
+                sum(bool(o.report) for o in runs.outcomes),
+                len(runs.outcomes),
+            )
+        ]
     return of_runs(one, runs, checks)
 
 

@@ -14,7 +14,9 @@ def momentum_lost(outcome):
     series = outcome.series()
     momentum = np.stack([series[f"momentum_{axis}_kg_m_s"] for axis in "xyz"], axis=1)
     mass_kg = 2 * series["kinetic_energy_j"][0] / series["rms_speed_m_s"][0] ** 2
-    return np.linalg.norm(momentum - momentum[0], axis=1).max() / (mass_kg * series["rms_speed_m_s"][0])
+    return np.linalg.norm(momentum - momentum[0], axis=1).max() / (
+        mass_kg * series["rms_speed_m_s"][0]
+    )
 
 
 @case(7)
@@ -24,10 +26,15 @@ def instant_freeze(run):
     for kind, sets in (("springs", ("heat.enabled=false",)), ("heat", ("heat.speedup=1e7",))):
         end = run("freeze_in_flight", *sets, series=True)
         series = end.series()
-        faster = series["max_speed_m_s"][series["time_s"] > 0.3].max() / series["max_speed_m_s"][:18].max()
-        checks += [at_most(f"{kind}: momentum lost", momentum_lost(end), 1e-5),
-                   at_most(f"{kind}: fastest after, of before", faster, 1.05),
-                   reported(f"{kind}: most ice", 100 * end.report["most_ice"], "%")]
+        faster = (
+            series["max_speed_m_s"][series["time_s"] > 0.3].max()
+            / series["max_speed_m_s"][:18].max()
+        )
+        checks += [
+            at_most(f"{kind}: momentum lost", momentum_lost(end), 1e-5),
+            at_most(f"{kind}: fastest after, of before", faster, 1.05),
+            reported(f"{kind}: most ice", 100 * end.report["most_ice"], "%"),
+        ]
     return checks
 
 
@@ -38,9 +45,19 @@ def absurd_temperatures(run):
         run.refused("temperature.initial_c", "splash", f"temperature.initial_c={value}")
         run.refused("celsius", "splash", f"schedule=[{{at_s: 0, celsius: {value}}}]")
         run.refused("blocks.0.celsius", "iceberg", f"blocks.0.celsius={value}")
-        run.refused("containers.0.celsius", "iceberg", "containers.0.heat=temperature", f"containers.0.celsius={value}")
+        run.refused(
+            "containers.0.celsius",
+            "iceberg",
+            "containers.0.heat=temperature",
+            f"containers.0.celsius={value}",
+        )
     for celsius in (-273.15, 1000):
-        run("iceberg", f"schedule=[{{at_s: 0.1, celsius: {celsius}}}]", "heat.speedup=1e7", *IN_A_GALE)
+        run(
+            "iceberg",
+            f"schedule=[{{at_s: 0.1, celsius: {celsius}}}]",
+            "heat.speedup=1e7",
+            *IN_A_GALE,
+        )
         run("splash", f"schedule=[{{at_s: 0.1, celsius: {celsius}}}]")
 
 
@@ -51,19 +68,35 @@ def overshooting_settings(run):
     run.refused("solver.warm_start", "splash", "solver.warm_start=0.9")
     run.refused("fluid.particle_mass_kg", "splash", "fluid.particle_mass_kg=1e3")
     end = run("splash", "solver.epsilon=0", duration_s=4)
-    return [at_most("mean density error without epsilon", 100 * end.report["density_error_mean"], 1, "%"),
-            at_most("times slowed", end.report["speed_limited"], 0)]
+    return [
+        at_most(
+            "mean density error without epsilon", 100 * end.report["density_error_mean"], 1, "%"
+        ),
+        at_most("times slowed", end.report["speed_limited"], 0),
+    ]
 
 
 @case(25)
 def backward_and_nowhere(run):
     """Steps below 0, poses, sizes and velocities that are no numbers: refused by name"""
-    for key in ("solver.frame_rate_hz", "solver.substeps", "solver.iterations", "duration_s", "heat.speedup"):
+    for key in (
+        "solver.frame_rate_hz",
+        "solver.substeps",
+        "solver.iterations",
+        "duration_s",
+        "heat.speedup",
+    ):
         run.refused(key, "splash", f"{key}=-1")
     for key in ("solver.frame_rate_hz", "fluid.spacing_m", "ice.density_ratio"):
         run.refused(key, "splash", f"{key}=.nan")
-    for key in ("gravity_m_s2", "containers.0.position_m", "containers.0.rpy_deg", "containers.0.size_m",
-                "blocks.0.min_m", "blocks.0.velocity_m_s"):
+    for key in (
+        "gravity_m_s2",
+        "containers.0.position_m",
+        "containers.0.rpy_deg",
+        "containers.0.size_m",
+        "blocks.0.min_m",
+        "blocks.0.velocity_m_s",
+    ):
         for value in ("[.nan, 0, 0]", "[0, .inf, 0]"):
             run.refused(key, "splash", f"{key}={value}")
 
@@ -71,13 +104,23 @@ def backward_and_nowhere(run):
 @case(26)
 def melting_in_contact(run):
     """Balls of ice that lie on each other in water melt within a tenth of a second: no kick, all melted"""
-    hot = ("heat.speedup=1e5", "schedule=[{at_s: 0.6, celsius: 200}]", "heat.boiling_c=900", *IN_A_GALE)
+    hot = (
+        "heat.speedup=1e5",
+        "schedule=[{at_s: 0.6, celsius: 200}]",
+        "heat.boiling_c=900",
+        *IN_A_GALE,
+    )
     end = run("hail", *hot, duration_s=3, series=True)
     series = end.series()
-    before, after = (series["max_speed_m_s"][part].max() for part in (series["time_s"] < 0.6, series["time_s"] > 0.6))
-    return [at_most("fastest after, of before", after / before, 1.5),
-            at_most("ice left", 100 * end.report["strictness"], 1, "%"),
-            at_least("most bodies", end.report["most_bodies"], 27)]
+    before, after = (
+        series["max_speed_m_s"][part].max()
+        for part in (series["time_s"] < 0.6, series["time_s"] > 0.6)
+    )
+    return [
+        at_most("fastest after, of before", after / before, 1.5),
+        at_most("ice left", 100 * end.report["strictness"], 1, "%"),
+        at_least("most bodies", end.report["most_bodies"], 27),
+    ]
 
 
 @case(27)
@@ -85,7 +128,13 @@ def any_number_of_threads(run):
     """1, 2, 4 and 8 threads, of water, ice, hail, frost and steam: the same bits"""
     freezing = ("schedule=[{at_s: 0.2, celsius: -100}]",)
     apart = 0
-    for scene, sets in (("splash", ()), ("iceberg", ()), ("hail", ()), ("frost", freezing), ("kettle", ())):
+    for scene, sets in (
+        ("splash", ()),
+        ("iceberg", ()),
+        ("hail", ()),
+        ("frost", freezing),
+        ("kettle", ()),
+    ):
         hashes = {run(scene, *sets, threads=n).report["state_hash"] for n in (1, 2, 4, 8)}
         apart += len(hashes) - 1
     return [at_most("scenes that differ in bits", apart, 0)]
@@ -94,10 +143,21 @@ def any_number_of_threads(run):
 @case(rise=None, because="ice that expands works")
 def frozen_in_a_full_tank(run):
     """A tank full to the lid freezes and has nowhere to expand, with ice lighter and heavier than water: contained"""
-    full = ("blocks=[{min_m: [-0.4, -0.2, 0], max_m: [0.4, 0.2, 0.7], celsius: 1}]", "heat.speedup=1e5",
-            "containers.0.heat=temperature", "containers.0.celsius=-100", *IN_A_GALE)
+    full = (
+        "blocks=[{min_m: [-0.4, -0.2, 0], max_m: [0.4, 0.2, 0.7], celsius: 1}]",
+        "heat.speedup=1e5",
+        "containers.0.heat=temperature",
+        "containers.0.celsius=-100",
+        *IN_A_GALE,
+    )
     for ratio in (0.5, 0.917, 2):
-        run("frost", *full, f"ice.density_ratio={ratio}", "schedule=[{at_s: 0, celsius: -100}]", duration_s=2)
+        run(
+            "frost",
+            *full,
+            f"ice.density_ratio={ratio}",
+            "schedule=[{at_s: 0, celsius: -100}]",
+            duration_s=2,
+        )
 
 
 @case(rise=None, because="steam is lifted")
@@ -105,14 +165,27 @@ def all_boils_at_once(run):
     """Boiling at the fastest clock and the greatest flux, and all of it condensed again: contained, counted"""
     end = run("kettle", "heat.speedup=1e7", "containers.0.flux_w_m2=1e7")
     run("kettle", "heat.speedup=1e7", "containers.0.flux_w_m2=-1e7")
-    run("kettle", "heat.speedup=1e7", "containers.0.flux_w_m2=1e7", "steam.rise_speed_m_s=100", "steam.drag_1_s=1e4")
-    return [at_least("steam, of all particles", end.report["most_steam"] / end.report["particles"], 0.5)]
+    run(
+        "kettle",
+        "heat.speedup=1e7",
+        "containers.0.flux_w_m2=1e7",
+        "steam.rise_speed_m_s=100",
+        "steam.drag_1_s=1e4",
+    )
+    return [
+        at_least("steam, of all particles", end.report["most_steam"] / end.report["particles"], 0.5)
+    ]
 
 
 @case(rise=5e-3, because="crushed in a step")
 def ice_at_a_step_of_a_second(run):
     """Icebergs, hail and frost with a substep of a second: contained"""
-    for scene, sets in (("iceberg", ()), ("hail", ()), ("frost", ("schedule=[{at_s: 2, celsius: -100}]",)), ("kettle", ())):
+    for scene, sets in (
+        ("iceberg", ()),
+        ("hail", ()),
+        ("frost", ("schedule=[{at_s: 2, celsius: -100}]",)),
+        ("kettle", ()),
+    ):
         run(scene, *AT_ONE_SECOND, *sets, duration_s=60)
 
 
@@ -120,8 +193,16 @@ def ice_at_a_step_of_a_second(run):
 def greatest_conductivity(run):
     """Conductivities, capacities and latent heats at the ends of their ranges, at the fastest clock: contained"""
     fast = ("heat.speedup=1e7", "schedule=[{at_s: 0.1, celsius: -100}, {at_s: 0.5, celsius: 500}]")
-    most = ("heat.ice_conductivity_w_mk=1e4", "heat.water_conductivity_w_mk=1e4", "heat.air_transfer_w_m2k=1e6")
-    least = ("heat.ice_capacity_j_kgk=1", "heat.water_capacity_j_kgk=1", "heat.steam_capacity_j_kgk=1")
+    most = (
+        "heat.ice_conductivity_w_mk=1e4",
+        "heat.water_conductivity_w_mk=1e4",
+        "heat.air_transfer_w_m2k=1e6",
+    )
+    least = (
+        "heat.ice_capacity_j_kgk=1",
+        "heat.water_capacity_j_kgk=1",
+        "heat.steam_capacity_j_kgk=1",
+    )
     latent = ("heat.fusion_j_kg=1", "heat.vaporisation_j_kg=1")
     for sets in (most, (*most, *least), (*most, *least, *latent), ("heat.hysteresis_c=0", *latent)):
         run("frost", *fast, *sets)

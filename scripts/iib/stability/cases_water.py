@@ -33,14 +33,16 @@ def tank(*sizes, z=0.0, wall=0.02):
 def calm(outcome, bound=0.02):
     """The density error in the last tenth of the run."""
     error = outcome.series()["density_error_mean"]
-    late = error[-max(1, len(error) // 10):].mean()
+    late = error[-max(1, len(error) // 10) :].mean()
     return at_most("mean density error at the end", 100 * late, 100 * bound, "%")
 
 
 @case(1, rise=0.05, because="crushed in a step")
 def step_of_a_second(run):
     """A substep of a second, and of a sixth: no faster than the limit, contained"""
-    ends = [run("splash", *sets, duration_s=60) for sets in (AT_ONE_SECOND, ("solver.frame_rate_hz=1",))]
+    ends = [
+        run("splash", *sets, duration_s=60) for sets in (AT_ONE_SECOND, ("solver.frame_rate_hz=1",))
+    ]
     return [at_most("fastest", max(end.report["fastest_m_s"] for end in ends), 30.001, "m/s")]
 
 
@@ -57,7 +59,9 @@ def gravity_of_1e4(run):
 @case(3)
 def all_coincident(run):
     """A thousand particles at one point: refused by name"""
-    run.refused("blocks.1 overlaps blocks.0", "splash", f"blocks=[{copied(point(z=0.3), 10, 10, 10)}]")
+    run.refused(
+        "blocks.1 overlaps blocks.0", "splash", f"blocks=[{copied(point(z=0.3), 10, 10, 10)}]"
+    )
 
 
 @case(4)
@@ -82,7 +86,13 @@ def too_full(run):
     full = copied("{min_m: [-0.25, -0.25, 0], max_m: [0.25, 0.25, 0.5]}", 2, 2, 2)
     run.refused("blocks.1 overlaps blocks.0", "splash", f"blocks=[{full}]", tank(0.5, 0.5, 0.5))
     crowd = copied("{min_m: [-0.5, -0.5, 0], max_m: [0.5, 0.5, 0.5]}", 1, 1, 2)
-    run.refused("blocks.1 overlaps blocks.0", "splash", f"blocks=[{crowd}]", tank(1, 1, 0.5), "fluid.spacing_m=0.01")
+    run.refused(
+        "blocks.1 overlaps blocks.0",
+        "splash",
+        f"blocks=[{crowd}]",
+        tank(1, 1, 0.5),
+        "fluid.spacing_m=0.01",
+    )
 
 
 @case(10)
@@ -94,28 +104,56 @@ def no_iterations(run):
     time, step = series["time_s"], 1 / 360
     stepped = 10.125 + 3 * time - 0.5 * 9.81 * time * (time + step)
     height = series["potential_energy_j"] / series["potential_energy_j"][0] * 10.125
-    return [at_most("height against the closed form, relative", np.max(np.abs(height / stepped - 1)), 1e-12)]
+    return [
+        at_most(
+            "height against the closed form, relative", np.max(np.abs(height / stepped - 1)), 1e-12
+        )
+    ]
 
 
 @case(11)
 def any_size(run):
     """Particles of 0.1 mm to 10 m, times scaled as the root of lengths: one and the same flow"""
     sizes = (1e-4, 1e-3, 0.01, 0.05, 1, 10)
-    ends = {d: run("splash", *froude(d), duration_s=math.sqrt(d / D) * 0.5, series=True, precision="double") for d in sizes}
+    ends = {
+        d: run(
+            "splash", *froude(d), duration_s=math.sqrt(d / D) * 0.5, series=True, precision="double"
+        )
+        for d in sizes
+    }
     runs = {d: end.series() for d, end in ends.items()}
     frames = min(len(series["time_s"]) for series in runs.values())  # rounding may add one
     heights = np.array([series["mean_z_m"][:frames] / d - FLOOR / D for d, series in runs.items()])
     errors = np.array([series["density_error_mean"][:frames] for series in runs.values()])
     base = sizes.index(D)
-    return [at_most("height of the centre of mass, apart from that at 5 cm", 100 * np.abs(heights / heights[base] - 1).max(), 0.1, "%"),
-            at_most("density error, apart from that at 5 cm", 100 * np.abs(errors - errors[base]).max(), 0.05, "%")]
+    return [
+        at_most(
+            "height of the centre of mass, apart from that at 5 cm",
+            100 * np.abs(heights / heights[base] - 1).max(),
+            0.1,
+            "%",
+        ),
+        at_most(
+            "density error, apart from that at 5 cm",
+            100 * np.abs(errors - errors[base]).max(),
+            0.05,
+            "%",
+        ),
+    ]
 
 
 @case(12, rise=None, because="of a weight of nothing: rounding")
 def denormals(run):
     """Gravity so small that speeds are denormal: no more than twice as slow as with ordinary numbers"""
+
     def cost(gravity):
-        return run("pool", f"gravity_m_s2=[0, 0, {gravity}]", FREE, "solver.iterations=2", "solver.epsilon=0").report["wall_time_s"]
+        return run(
+            "pool",
+            f"gravity_m_s2=[0, 0, {gravity}]",
+            FREE,
+            "solver.iterations=2",
+            "solver.epsilon=0",
+        ).report["wall_time_s"]
 
     cost("-1e-3")
     return [at_most("wall time against that with 1e-10 m/s²", cost("-1e-38") / cost("-1e-10"), 2.0)]
@@ -124,9 +162,17 @@ def denormals(run):
 @case(13)
 def nothing_in_it(run):
     """A scene without water, one without walls, one without either: they run"""
-    ends = [run("splash", "blocks=[]"), run("splash", "containers=[]"), run("splash", "blocks=[]", "containers=[]")]
+    ends = [
+        run("splash", "blocks=[]"),
+        run("splash", "containers=[]"),
+        run("splash", "blocks=[]", "containers=[]"),
+    ]
     ends.append(run("iceberg", "blocks=[]"))
-    return [at_most("particles in the empty ones", sum(ends[k].report["particles"] for k in (0, 2, 3)), 0)]
+    return [
+        at_most(
+            "particles in the empty ones", sum(ends[k].report["particles"] for k in (0, 2, 3)), 0
+        )
+    ]
 
 
 @case(14)
@@ -141,10 +187,18 @@ def one_particle(run):
 def gap_below_a_particle(run):
     """Gaps of less than a spacing between ball, plate and floor, a tank narrower than a particle: contained"""
     run("splash", "spheres=[{name: ball, position_m: [0.2, 0, 0.17], radius_m: 0.15}]")
-    run("splash", "planes=[{name: plate, position_m: [0, 0, 0.04], size_x_m: 0.9, size_y_m: 0.5, thickness_m: 0.02}]")
+    run(
+        "splash",
+        "planes=[{name: plate, position_m: [0, 0, 0.04], size_x_m: 0.9, size_y_m: 0.5, thickness_m: 0.02}]",
+    )
     run("splash", f"blocks=[{point(z=0.03)}]", tank(0.03, 0.03, 0.5))
     run("splash", f"blocks=[{point(z=0.03)}, {point(z=0.08)}]", tank(0.03, 0.03, 0.11))
-    run.refused("blocks.1 overlaps blocks.0", "splash", f"blocks=[{point(z=0.03)}, {point(z=0.06)}]", tank(0.03, 0.03, 0.5))
+    run.refused(
+        "blocks.1 overlaps blocks.0",
+        "splash",
+        f"blocks=[{point(z=0.03)}, {point(z=0.06)}]",
+        tank(0.03, 0.03, 0.5),
+    )
 
 
 @case(18, rise=2e-3, because="at a substep a frame")
@@ -155,8 +209,10 @@ def thousand_metres_a_second(run):
         run("shot", f"blocks.0.velocity_m_s={speed}", "solver.substeps=1")
         run("shot", f"blocks.0.velocity_m_s={speed}", "heat.enabled=true", "blocks.0.celsius=-5")
     plate = "planes=[{name: plate, position_m: [0.35, 0, 0.5], rpy_deg: [0, -90, 0], size_x_m: 1, size_y_m: 1, thickness_m: 1e-4}]"
-    through = [run("shot", "blocks.0.velocity_m_s=[1000, 0, 0]", plate, *ice, series=True)
-               for ice in ((), ("heat.enabled=true", "blocks.0.celsius=-5"))]
+    through = [
+        run("shot", "blocks.0.velocity_m_s=[1000, 0, 0]", plate, *ice, series=True)
+        for ice in ((), ("heat.enabled=true", "blocks.0.celsius=-5"))
+    ]
     beyond = sum(int((last_positions(end)[:, 0] > 0.36).sum()) for end in through)
     return [at_most("particles behind the plate", beyond, 0)]
 
@@ -175,11 +231,19 @@ def far_from_the_origin(run):
     """Water 100 km and 99 m from the origin: refused by name; rests as at the origin"""
     run.refused("containers.0.position_m", "pool", "containers.0.position_m=[1e5, 0, 0]")
     run.refused("blocks.0.m", "pool", "blocks.0.min_m=[1e5, 0, 0]", "blocks.0.max_m=[100001, 1, 1]")
-    far = ("blocks.0.min_m=[98.75, 98.8, 90]", "blocks.0.max_m=[99.25, 99.2, 90.4]", "containers.0.position_m=[99, 99, 90]")
+    far = (
+        "blocks.0.min_m=[98.75, 98.8, 90]",
+        "blocks.0.max_m=[99.25, 99.2, 90.4]",
+        "containers.0.position_m=[99, 99, 90]",
+    )
     near, out = run("pool", duration_s=5, series=True), run("pool", *far, duration_s=5, series=True)
     error = [end.series()["density_error_mean"][-60:].mean() for end in (near, out)]
-    return [at_most("density error, apart from that at the origin", 100 * abs(error[1] - error[0]), 0.1, "%"),
-            at_most("residual speed", 1e3 * out.report["residual_speed_m_s"], 50, "mm/s")]
+    return [
+        at_most(
+            "density error, apart from that at the origin", 100 * abs(error[1] - error[0]), 0.1, "%"
+        ),
+        at_most("residual speed", 1e3 * out.report["residual_speed_m_s"], 50, "mm/s"),
+    ]
 
 
 @case(22)
@@ -187,7 +251,9 @@ def ten_thousand_in_a_cell(run):
     """Ten thousand particles within two fifths of a spacing: refused by name"""
     block = copied(point(x=-0.3, y=-0.1, z=0.3), 10, 10, 10, "copies_step_m: [0.002, 0.002, 0.002]")
     shifted = [block.replace("min_m: [", f"rpy_deg: [0, 0, {9 * k}], min_m: [") for k in range(10)]
-    run.refused("blocks.1 overlaps blocks.0", "splash", f"blocks=[{', '.join(shifted)}]", tank(1.6, 1, 2))
+    run.refused(
+        "blocks.1 overlaps blocks.0", "splash", f"blocks=[{', '.join(shifted)}]", tank(1.6, 1, 2)
+    )
 
 
 @case(23)
@@ -197,14 +263,24 @@ def overlapping_spawn(run):
     aside = "{min_m: [-0.475, -0.25, 0.1], max_m: [-0.075, 0.225, 0.7]}"
     for other in (block, aside):
         run.refused("blocks.1 overlaps blocks.0", "splash", f"blocks=[{block}, {other}]")
-    run.refused("the wall of container tank (containers.0)", "splash", "blocks.0.min_m=[-0.535, -0.25, 0.1]",
-                "containers.0.open_top=true")
+    run.refused(
+        "the wall of container tank (containers.0)",
+        "splash",
+        "blocks.0.min_m=[-0.535, -0.25, 0.1]",
+        "containers.0.open_top=true",
+    )
 
 
 @case(rise=None, because="nothing guards it")
 def no_guard(run):
     """Relaxation 1, no correction limit, no viscosity, one iteration, density below rest corrected too: contained"""
-    bare = ("solver.relaxation=1", "solver.max_correction_h=0", "solver.viscosity_1_s=0", "solver.epsilon=0", FREE)
+    bare = (
+        "solver.relaxation=1",
+        "solver.max_correction_h=0",
+        "solver.viscosity_1_s=0",
+        "solver.epsilon=0",
+        FREE,
+    )
     run("splash", *bare, "solver.iterations=1", duration_s=4)
     run("splash", *bare, "solver.resist_tension=true", duration_s=4)
     run("splash", *bare, "fluid.kernel=poly6_spiky", "fluid.wall_density=false", duration_s=4)
@@ -214,15 +290,30 @@ def no_guard(run):
 def preset_paper(run):
     """The paper's own constants under a hundred times its gravity, as water and as springs: contained"""
     run("splash", "gravity_m_s2=[0, 0, -981]", preset="paper", duration_s=2)
-    run("pool", "temperature.initial_c=-10", "gravity_m_s2=[0, 0, -981]", preset="paper", duration_s=2)
+    run(
+        "pool",
+        "temperature.initial_c=-10",
+        "gravity_m_s2=[0, 0, -981]",
+        preset="paper",
+        duration_s=2,
+    )
 
 
 @case(rise=2e-3, because="ice breaks off at 100 m/s")
 def fastest_spin(run):
     """Water and ice spun at 1,000 rad/s and stretched at 1,000 1/s: contained"""
     for ice in ((), ("heat.enabled=true", "blocks.0.celsius=-5")):
-        run("shot", "blocks.0.spin_rad_s=[1000, 1000, 1000]", "blocks.0.velocity_m_s=[0, 0, 0]", *ice)
-        run("shot", "blocks.0.velocity_gradient_1_s=[[1000, 0, 0], [0, -1000, 1000], [0, 0, 0]]", *ice)
+        run(
+            "shot",
+            "blocks.0.spin_rad_s=[1000, 1000, 1000]",
+            "blocks.0.velocity_m_s=[0, 0, 0]",
+            *ice,
+        )
+        run(
+            "shot",
+            "blocks.0.velocity_gradient_1_s=[[1000, 0, 0], [0, -1000, 1000], [0, 0, 0]]",
+            *ice,
+        )
 
 
 @case()

@@ -49,14 +49,21 @@ class Suite:
         try:
             self.out.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise Refusal(f"--out {self.out} cannot be written: {error.strerror}; name another folder")
+            raise Refusal(
+                f"--out {self.out} cannot be written: {error.strerror}; name another folder"
+            )
         self.args, self.ranges = args, ranges(self.program)
         self.pool = concurrent.futures.ThreadPoolExecutor(args.jobs)
         self.results = Results(self.out, about(self.program, "scripts/stability --document"))
 
     def run(self, wanted):
-        parts = {"cases": self.run_cases, "boundaries": self.run_boundaries, "maps": self.run_maps,
-                 "energy": self.run_energy, "long": self.run_long}
+        parts = {
+            "cases": self.run_cases,
+            "boundaries": self.run_boundaries,
+            "maps": self.run_maps,
+            "energy": self.run_energy,
+            "long": self.run_long,
+        }
         return [part(wanted[name]) for name, part in parts.items() if wanted.get(name)]
 
     def runner(self, timeout_s=LONGEST_CASE_S):
@@ -65,7 +72,10 @@ class Suite:
     def run_cases(self, names):
         known = [cases.CASES[name] for name in names if name in cases.CASES]
         others = [name for name in names if name not in cases.CASES]
-        bar, runner = Progress([one.name for one in known] + ["commands"] * bool(others)), self.runner()
+        bar, runner = (
+            Progress([one.name for one in known] + ["commands"] * bool(others)),
+            self.runner(),
+        )
 
         def measure(one):
             line = cases.measure(one, runner)
@@ -96,7 +106,9 @@ class Suite:
         for probe in wrong:
             print(f"FAIL  {probe.key} = {probe.value}: {probe.verdict}, {probe.outcome.message}")
             print(f"      {probe.outcome.reproduce()}")
-        print(f"{len(probes) - len(wrong)} of {len(probes)} values beside the ends of {len(self.ranges)} ranges as expected")
+        print(
+            f"{len(probes) - len(wrong)} of {len(probes)} values beside the ends of {len(self.ranges)} ranges as expected"
+        )
         self.results.put("boundaries", summary.of_probes(probes))
         return not wrong
 
@@ -109,8 +121,12 @@ class Suite:
             points = found[one.name] = maps.measure(one, self.ranges, runner, self.pool, bar)
             bar.close()
             print(printed.map_text(one, points), flush=True)
-        self.results.put("maps", {one.name: summary.of_map(one, found[one.name], self.ranges) for one in chosen})
-        pictures.draw_maps(list(self.results.get("maps")[0].values()), self.out / "stability_maps.png")
+        self.results.put(
+            "maps", {one.name: summary.of_map(one, found[one.name], self.ranges) for one in chosen}
+        )
+        pictures.draw_maps(
+            list(self.results.get("maps")[0].values()), self.out / "stability_maps.png"
+        )
         print(f"wrote {self.out / 'stability_maps.png'}")
         return all(point.as_expected() for points in found.values() for point in points)
 
@@ -120,7 +136,9 @@ class Suite:
         bar.close()
         for line in lines:
             print(printed.energy_text(line))
-        self.results.put("energy", {f"{line.scene} {line.substeps}": dataclasses.asdict(line) for line in lines})
+        self.results.put(
+            "energy", {f"{line.scene} {line.substeps}": dataclasses.asdict(line) for line in lines}
+        )
         return all(line.lived for line in lines)
 
     def run_long(self, steps):
@@ -137,14 +155,19 @@ class Suite:
         for line in lines:
             print(printed.long_text(line))
         self.results.put("long", {line.name: dataclasses.asdict(line) for line in lines})
-        pictures.draw_long([(one, runner.run(long_runs.asked(one, steps))) for one in long_runs.LONG],
-                           self.out / "stability_long.png")
+        pictures.draw_long(
+            [(one, runner.run(long_runs.asked(one, steps))) for one in long_runs.LONG],
+            self.out / "stability_long.png",
+        )
         return all(line.passed() for line in lines)
 
 
 def known_cases(args):
     """Names of cases of scenes and of commands."""
-    return [*cases.CASES, *commands.listed(commands.find_program(find_run_scene(args.run_scene), args.commands))]
+    return [
+        *cases.CASES,
+        *commands.listed(commands.find_program(find_run_scene(args.run_scene), args.commands)),
+    ]
 
 
 def chosen_cases(args):
@@ -177,26 +200,47 @@ def wanted(args):
 
 
 def listed():
-    lines = [f"{one.name:28}{one.number or '':>3}  {one.title}: {one.expected}" for one in cases.CASES.values()]
+    lines = [
+        f"{one.name:28}{one.number or '':>3}  {one.title}: {one.expected}"
+        for one in cases.CASES.values()
+    ]
     lines += [f"{one.name:28}map  {one.title}: {one.what}" for one in MAPS.values()]
     return "\n".join([*lines, *(f"{one.name:28}long {one.title}" for one in long_runs.LONG)])
 
 
 def parser():
     p = Parser("scripts/stability", DESCRIPTION)
-    p.add_argument("--case", action="append", metavar="NAME", help="only this case; may stand several times")
-    p.add_argument("--map", action="append", metavar="NAME", help="only this map; may stand several times")
+    p.add_argument(
+        "--case", action="append", metavar="NAME", help="only this case; may stand several times"
+    )
+    p.add_argument(
+        "--map", action="append", metavar="NAME", help="only this map; may stand several times"
+    )
     p.add_argument("--boundaries", action="store_true", help="only the ends of every range")
     p.add_argument("--energy", action="store_true", help="only the energy of shipped scenes")
     p.add_argument("--long", action="store_true", help="only the long runs")
     p.add_argument("--steps", type=int, default=1_000_000, help="substeps of a long run (1000000)")
-    p.add_argument("--out", default=str(ROOT / "out" / "stability"), metavar="FOLDER", help="out/stability unless told")
+    p.add_argument(
+        "--out",
+        default=str(ROOT / "out" / "stability"),
+        metavar="FOLDER",
+        help="out/stability unless told",
+    )
     p.add_argument("--jobs", type=int, default=2, help="runs at a time (2)")
     p.add_run_scene()
-    p.add_argument("--commands", metavar="PATH", help="stability_test; that of the same build unless told")
-    p.add_argument("--document", action="store_true", help="write the tables and pictures of doc/stability.md")
-    p.add_argument("--write", nargs="+", metavar="FOLDER", help="run nothing: write doc/stability.md of the --out "
-                        "folders of earlier runs; of a part that several hold, the last one counts")
+    p.add_argument(
+        "--commands", metavar="PATH", help="stability_test; that of the same build unless told"
+    )
+    p.add_argument(
+        "--document", action="store_true", help="write the tables and pictures of doc/stability.md"
+    )
+    p.add_argument(
+        "--write",
+        nargs="+",
+        metavar="FOLDER",
+        help="run nothing: write doc/stability.md of the --out "
+        "folders of earlier runs; of a part that several hold, the last one counts",
+    )
     p.add_argument("--list", action="store_true", help="print the cases, maps and long runs")
     return p
 

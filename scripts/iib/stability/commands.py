@@ -11,7 +11,14 @@ from iib.common.refusal import Refusal
 from iib.stability.cases import Measured
 
 WHOLE = ("particles", "substeps", "non_finite", "escaped", "speed_limited")
-REAL = ("simulated_s", "fastest_m_s", "density_error_mean", "density_error_max", "energy_rise", "wall_s")
+REAL = (
+    "simulated_s",
+    "fastest_m_s",
+    "density_error_mean",
+    "density_error_max",
+    "energy_rise",
+    "wall_s",
+)
 
 
 def find_program(run_scene, given=None):
@@ -25,7 +32,9 @@ def find_program(run_scene, given=None):
             built = sorted(folder.glob("**/stability_test"))
             if built:
                 return built[0]
-            raise Refusal(f"no stability_test in {folder}; build it: ninja -C {folder} stability_test")
+            raise Refusal(
+                f"no stability_test in {folder}; build it: ninja -C {folder} stability_test"
+            )
     raise Refusal(f"{run_scene} lies in no build folder; name the program of commands: --commands")
 
 
@@ -37,7 +46,9 @@ def measure(program, out, names=()):
     command = [str(program), f"--gtest_filter={chosen}", f"--gtest_output=json:{path}"]
     done = subprocess.run(command, capture_output=True, text=True)
     if not path.exists():
-        raise Refusal(f"{program} ended by {done.returncode} and printed nothing: {done.stderr.strip()[-300:]}")
+        raise Refusal(
+            f"{program} ended by {done.returncode} and printed nothing: {done.stderr.strip()[-300:]}"
+        )
     suites = json.loads(path.read_text())["testsuites"]
     return [line(test) for suite in suites for test in suite["testsuite"]]
 
@@ -55,7 +66,13 @@ def text_of(escaped):
 def line(test):
     failures = test.get("failures", [])
     check = at_most("expectations that do not hold", len(failures), 0)
-    measured = Measured(test["name"], int(test["number"]), text_of(test["title"]), text_of(test["expected"]), [check])
+    measured = Measured(
+        test["name"],
+        int(test["number"]),
+        text_of(test["title"]),
+        text_of(test["expected"]),
+        [check],
+    )
     for name in WHOLE:
         setattr(measured, name, int(float(test.get(name, 0))))
     for name in REAL:

@@ -30,31 +30,61 @@ PICTURES = {"maps": "stability_maps.png", "long": "stability_long.png"}
 
 
 def case_row(line):
-    checks = [Check(**{**c, "measured": math.nan if c["measured"] is None else c["measured"],
-                       "bound": math.nan if c["bound"] is None else c["bound"]}) for c in line["checks"]]
+    checks = [
+        Check(
+            **{
+                **c,
+                "measured": math.nan if c["measured"] is None else c["measured"],
+                "bound": math.nan if c["bound"] is None else c["bound"],
+            }
+        )
+        for c in line["checks"]
+    ]
     bounds = "; ".join(c.text(DIGITS) for c in checks if "stayed finite" not in c.what)
     lived = line["non_finite"] == 0 and line["escaped"] == 0
     ran = line["particles"] > 0 or line["substeps"] > 0
     return [
-        line["number"] or "", f"{line['title']}: **{line['expected']}**",
-        ("yes" if lived else "**no**") if ran else "", f"{line['particles']:,}" if ran else "",
-        number(line["fastest_m_s"]), number(line["density_error_mean"], 100), number(line["energy_rise"], 100),
-        number(line["simulated_s"]) if ran else "", f"{line['substeps']:,}" if ran else "",
-        number(line["wall_s"]) if ran else "", bounds,
+        line["number"] or "",
+        f"{line['title']}: **{line['expected']}**",
+        ("yes" if lived else "**no**") if ran else "",
+        f"{line['particles']:,}" if ran else "",
+        number(line["fastest_m_s"]),
+        number(line["density_error_mean"], 100),
+        number(line["energy_rise"], 100),
+        number(line["simulated_s"]) if ran else "",
+        f"{line['substeps']:,}" if ran else "",
+        number(line["wall_s"]) if ran else "",
+        bounds,
         "yes" if all(c.passed() for c in checks) else "**no**",
     ]
 
 
 def case_table(lines):
-    names = ("case", "what", "finite, inside", "particles", "fastest m/s", "density error %", "energy risen %",
-                   "simulated s", "substeps", "wall s", "bounds", "holds")
-    ordered = sorted(lines.values(), key=lambda line: (line["number"] or 100, line["name"].casefold()))
+    names = (
+        "case",
+        "what",
+        "finite, inside",
+        "particles",
+        "fastest m/s",
+        "density error %",
+        "energy risen %",
+        "simulated s",
+        "substeps",
+        "wall s",
+        "bounds",
+        "holds",
+    )
+    ordered = sorted(
+        lines.values(), key=lambda line: (line["number"] or 100, line["name"].casefold())
+    )
     return markdown.table(names, map(case_row, ordered), LEFT)
 
 
 def boundary_table(found):
-    text = (f"{found['values']} values beside the ends of every range: {found['as expected']} as expected, "
-            f"{found['outside and refused']} outside and refused by name, {found['inside and run']} inside and run.")
+    text = (
+        f"{found['values']} values beside the ends of every range: {found['as expected']} as expected, "
+        f"{found['outside and refused']} outside and refused by name, {found['inside and run']} inside and run."
+    )
     text += "\n\nWithin a range and refused by another rule, which names the key:\n\n"
     text += markdown.table(("value", "why"), found["inside and refused"].items(), LEFT)
     wrong = "\n".join(f"- **{key}**: `{how}`" for key, how in found["not as expected"].items())
@@ -81,7 +111,9 @@ def energy_table(lines):
     rows = []
     for scene in dict.fromkeys(line["scene"] for line in lines.values()):
         found = [lines[f"{scene} {n}"] for n in counts]
-        cells = [number(line[what], 100) + " %" for line in found for what in ("total", "mechanical")]
+        cells = [
+            number(line[what], 100) + " %" for line in found for what in ("total", "mechanical")
+        ]
         rows.append([scene, *cells])
     return markdown.table(["scene", *names], rows, LEFT)
 

@@ -36,9 +36,19 @@ def measure(runner, pool, bar):
         outcome = runner.run(asked)
         bar.end("energy", outcome.seconds)
         series = outcome.series()
-        mechanical_j, total_j = series["kinetic_energy_j"] + series["potential_energy_j"], series["total_energy_j"]
+        mechanical_j, total_j = (
+            series["kinetic_energy_j"] + series["potential_energy_j"],
+            series["total_energy_j"],
+        )
         scale_j = mechanical_j[0] - series["potential_energy_j"].min()
-        return Balance(scene, substeps, rise(mechanical_j) / scale_j, rise(total_j) / scale_j,
-                       outcome.report["fastest_m_s"], outcome.survived(), outcome.reproduce())
+        return Balance(
+            scene,
+            substeps,
+            rise(mechanical_j) / scale_j,
+            rise(total_j) / scale_j,
+            outcome.report["fastest_m_s"],
+            outcome.survived(),
+            outcome.reproduce(),
+        )
 
     return list(pool.map(balance, [(scene, n) for scene in SCENES for n in SUBSTEPS]))

@@ -32,15 +32,20 @@ LONG = [
 
 def asked(one, steps):
     seconds = steps / (SUBSTEPS * FRAME_RATE_HZ)
-    return Asked(one.scene, (f"solver.substeps={SUBSTEPS}", *one.sets), duration_s=seconds, series=True,
-                 sample_hz=LOOKS / seconds)
+    return Asked(
+        one.scene,
+        (f"solver.substeps={SUBSTEPS}", *one.sets),
+        duration_s=seconds,
+        series=True,
+        sample_hz=LOOKS / seconds,
+    )
 
 
 def tenths(values):
     """Means over the first tenth after it settled, and over the last."""
     begin = int(SETTLED * len(values))
     tenth = max(1, (len(values) - begin) // 10)
-    return values[begin:begin + tenth].mean(), values[-tenth:].mean()
+    return values[begin : begin + tenth].mean(), values[-tenth:].mean()
 
 
 def turned_degrees(positions):
@@ -67,7 +72,7 @@ def faces(one, outcome):
         "mean density error, %": 100 * series["density_error_mean"],
     }
     if one.ice:
-        ice = np.load(outcome.folder / "positions.npy")[:, -int(series["ice_particles"][0]):]
+        ice = np.load(outcome.folder / "positions.npy")[:, -int(series["ice_particles"][0]) :]
         over_time["height of the ice, mm"] = 1e3 * ice[:, :, 2].mean(axis=1)
         over_time["ice turned, degrees"] = turned_degrees(ice)
     return series["time_s"], over_time
@@ -84,13 +89,24 @@ def checks(over_time):
     found = [
         at_most("memory grown", memory[1] - memory[0], 1.0, "MiB"),
         at_most("time per frame, last tenth over first", cost[1] / cost[0], 1.2),
-        at_most("centre of mass moved", drift("height of the centre of mass, mm"), 0.01 * 1e3 * SPACING_M, "mm"),
-        at_most("highest particle moved", drift("highest particle, mm"), 0.1 * 1e3 * SPACING_M, "mm"),
+        at_most(
+            "centre of mass moved",
+            drift("height of the centre of mass, mm"),
+            0.01 * 1e3 * SPACING_M,
+            "mm",
+        ),
+        at_most(
+            "highest particle moved", drift("highest particle, mm"), 0.1 * 1e3 * SPACING_M, "mm"
+        ),
         at_most("rms speed at the end", change["rms speed, mm/s"][1], 20.0, "mm/s"),
     ]
     if "height of the ice, mm" in change:
-        found += [at_most("ice risen or sunk", drift("height of the ice, mm"), 0.05 * 1e3 * SPACING_M, "mm"),
-                  reported("ice turned", change["ice turned, degrees"][1], "degrees")]
+        found += [
+            at_most(
+                "ice risen or sunk", drift("height of the ice, mm"), 0.05 * 1e3 * SPACING_M, "mm"
+            ),
+            reported("ice turned", change["ice turned, degrees"][1], "degrees"),
+        ]
     return found
 
 
@@ -114,9 +130,27 @@ def measure(one, steps, runner):
     outcome = runner.run(asked(one, steps))
     report = outcome.report
     if not outcome.survived():
-        return LongMeasured(one.name, one.title, report.get("steps", 0), report.get("simulated_time_s", 0.0),
-                            outcome.seconds, outcome.reproduce(), False, [], [])
+        return LongMeasured(
+            one.name,
+            one.title,
+            report.get("steps", 0),
+            report.get("simulated_time_s", 0.0),
+            outcome.seconds,
+            outcome.reproduce(),
+            False,
+            [],
+            [],
+        )
     _, over_time = faces(one, outcome)
     rows = [(name, *map(float, tenths(values))) for name, values in over_time.items()]
-    return LongMeasured(one.name, one.title, report["steps"], report["simulated_time_s"], report["wall_time_s"],
-                        outcome.reproduce(), True, rows, checks(over_time))
+    return LongMeasured(
+        one.name,
+        one.title,
+        report["steps"],
+        report["simulated_time_s"],
+        report["wall_time_s"],
+        outcome.reproduce(),
+        True,
+        rows,
+        checks(over_time),
+    )

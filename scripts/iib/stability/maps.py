@@ -50,7 +50,9 @@ class Row:
 
     def points(self, values, ranges):
         """Swept values, and those beside the ends of the range."""
-        beside = {end * (1 + sign * EDGE) for end in self.range(ranges) if end > 0 for sign in (-1, 1)}
+        beside = {
+            end * (1 + sign * EDGE) for end in self.range(ranges) if end > 0 for sign in (-1, 1)
+        }
         return sorted({*values, *beside})
 
 
@@ -92,7 +94,9 @@ def measure(one, ranges, runner, pool, bar):
     def point(place):
         row, value = place
         low, high = row.range(ranges)
-        outcome = runner.run(Asked(row.scene, tuple(row.sets(value)), duration_s=row.seconds(value)))
+        outcome = runner.run(
+            Asked(row.scene, tuple(row.sets(value)), duration_s=row.seconds(value))
+        )
         bar.end(one.name, outcome.seconds)
         return Point(row.name, value, low <= value <= high, outcome)
 

@@ -5,7 +5,9 @@ import re
 
 from iib.common import processes
 
-LINE = re.compile(r"^(?P<comment>#?)(?P<indent> *)(?P<key>\w+):(?P<value>[^#{]*).*\{\[(?P<low>\S+), (?P<high>\S+)\]\}$")
+LINE = re.compile(
+    r"^(?P<comment>#?)(?P<indent> *)(?P<key>\w+):(?P<value>[^#{]*).*\{\[(?P<low>\S+), (?P<high>\S+)\]\}$"
+)
 SECTION = re.compile(r"^(?P<section>\w+):(?P<list> \[\])?\s*$")
 
 

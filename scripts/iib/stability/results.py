@@ -39,4 +39,6 @@ class Results:
     def get(self, part):
         """Lines by name, and of what and when."""
         found = self.parts.get(part, {})
-        return found.get("lines", {}), {key: value for key, value in found.items() if key != "lines"}
+        return found.get("lines", {}), {
+            key: value for key, value in found.items() if key != "lines"
+        }

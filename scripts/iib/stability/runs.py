@@ -82,7 +82,9 @@ class Outcome:
         return self.status in ("ok", "unstable") and self.finite() and self.contained()
 
     def reproduce(self):
-        words = [f'"{word}"' if any(c in word for c in " []{}") else word for word in self.asked.words()]
+        words = [
+            f'"{word}"' if any(c in word for c in " []{}") else word for word in self.asked.words()
+        ]
         return "run_scene " + " ".join(words).replace(str(ROOT) + "/", "")
 
 
@@ -99,7 +101,9 @@ class Runner:
         return self.run(Asked(scene, tuple(sets), **options))
 
     def run(self, asked):
-        key = hashlib.sha256("\0".join([self.mark, *asked.words(), asked.text(), str(asked.series)]).encode())
+        key = hashlib.sha256(
+            "\0".join([self.mark, *asked.words(), asked.text(), str(asked.series)]).encode()
+        )
         folder = self.folder / key.hexdigest()[:20]
         if not (folder / "outcome.json").exists():
             self._make(asked, folder)
@@ -113,12 +117,26 @@ class Runner:
 
     def _make(self, asked, folder):
         folder.mkdir(parents=True, exist_ok=True)
-        command = ["prlimit", f"--as={MOST_MEMORY_BYTES}", self.program, *asked.words(), "--report", str(folder / "report.json")]
+        command = [
+            "prlimit",
+            f"--as={MOST_MEMORY_BYTES}",
+            self.program,
+            *asked.words(),
+            "--report",
+            str(folder / "report.json"),
+        ]
         if asked.series:
-            command += ["--series", str(folder / "series.csv"), "--record", str(folder / "positions.npy")]
+            command += [
+                "--series",
+                str(folder / "series.csv"),
+                "--record",
+                str(folder / "positions.npy"),
+            ]
         start = time.monotonic()
         status, message = run_scene.finish(command, self.timeout_s)
         if status == "refused":
             (folder / "report.json").unlink(missing_ok=True)
         kept = {"status": status, "message": message, "seconds": round(time.monotonic() - start, 3)}
-        write_atomically(folder / "outcome.json", json.dumps({**kept, "command": asked.words()}, indent=1) + "\n")
+        write_atomically(
+            folder / "outcome.json", json.dumps({**kept, "command": asked.words()}, indent=1) + "\n"
+        )

@@ -12,8 +12,12 @@ def of_probes(probes):
         "as expected": sum(probe.as_expected() for probe in probes),
         "outside and refused": sum(not p.inside and p.verdict == REFUSED for p in probes),
         "inside and run": sum(p.inside and p.verdict == "ran" for p in probes),
-        "inside and refused": {f"{p.key} = {p.value}": p.outcome.message.split(".yaml: ")[-1] for p in within},
-        "not as expected": {f"{p.key} = {p.value}": p.outcome.reproduce() for p in probes if not p.as_expected()},
+        "inside and refused": {
+            f"{p.key} = {p.value}": p.outcome.message.split(".yaml: ")[-1] for p in within
+        },
+        "not as expected": {
+            f"{p.key} = {p.value}": p.outcome.reproduce() for p in probes if not p.as_expected()
+        },
     }
 
 
@@ -30,7 +34,13 @@ def of_map(one, points, ranges):
             "points": [[point.value, point.verdict] for point in own],
         }
     wrong = [[reason(p.outcome), p.outcome.reproduce()] for p in points if not p.as_expected()]
-    return {"title": one.title, "what": one.what, "across": one.across, "rows": rows, "not as expected": wrong}
+    return {
+        "title": one.title,
+        "what": one.what,
+        "across": one.across,
+        "rows": rows,
+        "not as expected": wrong,
+    }
 
 
 def stretches(points):
@@ -51,5 +61,8 @@ def worst(points):
     degraded = [point for point in points if point.verdict == DEGRADED]
     if not degraded:
         return ""
-    point = max(degraded, key=lambda p: (p.outcome.report["density_error_mean"], p.outcome.report["speed_limited"]))
+    point = max(
+        degraded,
+        key=lambda p: (p.outcome.report["density_error_mean"], p.outcome.report["speed_limited"]),
+    )
     return f"at {point.value:.3g}: {reason(point.outcome)}"

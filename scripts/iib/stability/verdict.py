@@ -32,7 +32,11 @@ def verdict(outcome):
     if not outcome.survived():
         return UNSTABLE
     report = outcome.report
-    if report["speed_limited"] > 0 or cut_share(report) > MOST_CUT or worse(report["density_error_mean"], MOST_ERROR):
+    if (
+        report["speed_limited"] > 0
+        or cut_share(report) > MOST_CUT
+        or worse(report["density_error_mean"], MOST_ERROR)
+    ):
         return DEGRADED
     return DEGRADED if worse(energy_rise(outcome), MOST_RISE) else STABLE
 

@@ -28,7 +28,9 @@ def front_error(run, freezing, water_c=0.0, layers=14, spacing_m=0.01, depth=10,
     heat_s = np.concatenate([[0.0], np.cumsum(series["heat_speedup"][1:]) / end.frame_rate_hz])
     ice_m3 = end.lattice_kg * series["strictness"] / freezing.ice_kg_m3
     measured, expected = ice_m3 / 0.08**2, freezing.front(heat_s)
-    flowed = np.diff(series["enthalpy_j"], prepend=series["enthalpy_j"][0]) != 0.0  # in some frames heat waits
+    flowed = (
+        np.diff(series["enthalpy_j"], prepend=series["enthalpy_j"][0]) != 0.0
+    )  # in some frames heat waits
     scored = flowed & (measured >= depth * spacing_m)
     apart = measured[scored] / expected[scored] - 1.0
     return apart, end
@@ -38,7 +40,9 @@ def front_checks(apart, bound):
     worst = apart[np.argmax(np.abs(apart))]
     return [
         at_most("front at ten layers and after, largest error", percent(abs(worst)), bound, "%"),
-        reported("front at ten layers and after, mean error with its sign", percent(apart.mean()), "%"),
+        reported(
+            "front at ten layers and after, mean error with its sign", percent(apart.mean()), "%"
+        ),
     ]
 
 
@@ -52,7 +56,9 @@ def stefan_ice(run):
     heavy, _ = front_error(run, known_ice.Freezing(), sets=["gravity_m_s2=[0, 0, -9.81]"])
     return [
         *front_checks(apart, 1.0),
-        reported("the same under full gravity, mean error with its sign", percent(heavy.mean()), "%"),
+        reported(
+            "the same under full gravity, mean error with its sign", percent(heavy.mean()), "%"
+        ),
         reported("height of the column, of what expansion makes it", top / lifted),
         reported("residual speed", 1e3 * end.report["residual_speed_m_s"], "mm/s"),
     ]
@@ -107,7 +113,10 @@ def stefan_order(run):
         apart, _ = front_error(run, known_ice.alike(1.0), 0.0, layers + 1, spacing_m, layers)
         errors.append(abs(apart[0]))
     return [
-        *(reported(f"front at {n} layers for the same depth, error", percent(e), "%") for n, e in zip((5, 10, 20), errors)),
+        *(
+            reported(f"front at {n} layers for the same depth, error", percent(e), "%")
+            for n, e in zip((5, 10, 20), errors)
+        ),
         reported("order from 5 to 10 layers", math.log2(errors[0] / errors[1])),
         reported("order from 10 to 20 layers", math.log2(errors[1] / errors[2])),
     ]
@@ -152,7 +161,12 @@ def freeze_thaw(run):
         at_most("share of ice at the end", ice[-1], 0.0),
         at_most("volume gained by freezing, apart from 9.05", abs(gained - 9.05), 1.0, "%"),
         reported("volume gained by freezing", gained, "%"),
-        at_most("volume after thawing, apart from before", percent(abs(thawed / settled - 1.0)), 1.0, "%"),
+        at_most(
+            "volume after thawing, apart from before",
+            percent(abs(thawed / settled - 1.0)),
+            1.0,
+            "%",
+        ),
     ]
 
 
@@ -175,8 +189,25 @@ def freeze_thaw_100(run):
         at_most("share of ice when warm, most of all cycles", ice[ends].max(), 0.0),
         at_most("ice bodies left", end.series["bodies"][-1], 0.0),
         at_most("springs left", end.series["springs"][-1], 0.0),
-        at_most("particles that left or broke", end.report["escaped"] + end.report["non_finite"], 0.0),
-        at_most("enthalpy after the last cycle, of the first", percent(abs(heat[-1] / heat[0] - 1.0)), 1.0, "%"),
-        at_most("volume after the last cycle, of the first", percent(abs(height[-1] / height[0] - 1.0)), 1.0, "%"),
-        at_most("mechanical energy after the last cycle, of the first", percent(abs(energy[-1] / energy[0] - 1.0)), 1.0, "%"),
+        at_most(
+            "particles that left or broke", end.report["escaped"] + end.report["non_finite"], 0.0
+        ),
+        at_most(
+            "enthalpy after the last cycle, of the first",
+            percent(abs(heat[-1] / heat[0] - 1.0)),
+            1.0,
+            "%",
+        ),
+        at_most(
+            "volume after the last cycle, of the first",
+            percent(abs(height[-1] / height[0] - 1.0)),
+            1.0,
+            "%",
+        ),
+        at_most(
+            "mechanical energy after the last cycle, of the first",
+            percent(abs(energy[-1] / energy[0] - 1.0)),
+            1.0,
+            "%",
+        ),
     ]

@@ -34,7 +34,9 @@ def floating(run, scene, half_m, ratio=RATIO, sets=()):
     water_m3, ice_m3 = (~ice).sum() * d**3, ice.sum() * cube**3
     submerged = known_ice.below(p["z"][ice], level, cube)
     by_volume = (0.56**2 * level - water_m3) / ice_m3
-    name = f"at {2 * half_m / cube:.0f} layers" + (f", density ratio {ratio:g}" if ratio != RATIO else "")
+    name = f"at {2 * half_m / cube:.0f} layers" + (
+        f", density ratio {ratio:g}" if ratio != RATIO else ""
+    )
     return [
         at_most(f"submerged fraction {name}, apart from {ratio:g}", abs(submerged - ratio), 0.02),
         reported(f"submerged fraction {name}", submerged),
@@ -84,7 +86,9 @@ def whole_spin(run):
     inertia = particle_kg * (np.trace(outer, axis1=1, axis2=2)[:, None, None] * np.eye(3) - outer)
     turn = np.linalg.solve(inertia, orbital[:, :, None])[:, :, 0]
     own = 0.4 * run.lattice_kg * (0.5 * run.spacing_m) ** 2
-    return orbital + own * turn, run.series["kinetic_energy_j"] + 0.5 * own * np.sum(turn**2, axis=1)
+    return orbital + own * turn, run.series["kinetic_energy_j"] + 0.5 * own * np.sum(
+        turn**2, axis=1
+    )
 
 
 @case()
@@ -93,9 +97,23 @@ def tumbling_ice(run):
     end = run("tumbling_ice", positions=True)
     spin, energy = whole_spin(end)
     return [
-        at_most("angular momentum, largest change", percent(np.linalg.norm(spin - spin[0], axis=1).max() / np.linalg.norm(spin[0])), 1.0, "%"),
-        at_most("kinetic energy, largest change", percent(np.abs(energy / energy[0] - 1.0).max()), 1.0, "%"),
-        at_most("apart from the best-fit rigid motion, in spacings", end.report["error"]["ice_drift_spacings"], 1e-3),
+        at_most(
+            "angular momentum, largest change",
+            percent(np.linalg.norm(spin - spin[0], axis=1).max() / np.linalg.norm(spin[0])),
+            1.0,
+            "%",
+        ),
+        at_most(
+            "kinetic energy, largest change",
+            percent(np.abs(energy / energy[0] - 1.0).max()),
+            1.0,
+            "%",
+        ),
+        at_most(
+            "apart from the best-fit rigid motion, in spacings",
+            end.report["error"]["ice_drift_spacings"],
+            1e-3,
+        ),
     ]
 
 
@@ -109,9 +127,15 @@ def ice_drop(run):
     apart = abs(touches - known.fall_time(lowest[0] - rests_m)) * end.frame_rate_hz
     return [
         at_most("landing apart from a stone's, in frames", apart, 1.0),
-        at_most("deepest into the ground, in spacings", (rests_m - lowest).max() / end.spacing_m, 0.01),
+        at_most(
+            "deepest into the ground, in spacings", (rests_m - lowest).max() / end.spacing_m, 0.01
+        ),
         at_most("speed at the end", 1e3 * end.series["max_speed_m_s"][-1], 0.1, "mm/s"),
-        at_most("highest rise after landing, in spacings", (lowest[time > touches + 0.1].max() - rests_m) / end.spacing_m, 0.01),
+        at_most(
+            "highest rise after landing, in spacings",
+            (lowest[time > touches + 0.1].max() - rests_m) / end.spacing_m,
+            0.01,
+        ),
     ]
 
 
@@ -124,10 +148,28 @@ def ice_at_rest(run):
     path = end.positions[late].astype(float)
     return [
         at_most("residual speed", end.series["max_speed_m_s"][late].max(), 1e-4, "m/s"),
-        at_most("drift of any particle from 5 s to 60 s, in spacings", np.linalg.norm(path - path[0], axis=2).max() / end.spacing_m, 0.01),
-        at_most("deepest into the ground, in spacings", (0.5 * end.spacing_m - lowest).max() / end.spacing_m, 0.01),
-        at_most("apart from the best-fit rigid motion, in spacings", end.report["error"]["ice_drift_spacings"], 1e-3),
-        reported("time from which it sleeps", time[np.argmax(end.series["bodies_asleep"] > 0)] if end.series["bodies_asleep"].any() else math.nan, "s"),
+        at_most(
+            "drift of any particle from 5 s to 60 s, in spacings",
+            np.linalg.norm(path - path[0], axis=2).max() / end.spacing_m,
+            0.01,
+        ),
+        at_most(
+            "deepest into the ground, in spacings",
+            (0.5 * end.spacing_m - lowest).max() / end.spacing_m,
+            0.01,
+        ),
+        at_most(
+            "apart from the best-fit rigid motion, in spacings",
+            end.report["error"]["ice_drift_spacings"],
+            1e-3,
+        ),
+        reported(
+            "time from which it sleeps",
+            time[np.argmax(end.series["bodies_asleep"] > 0)]
+            if end.series["bodies_asleep"].any()
+            else math.nan,
+            "s",
+        ),
     ]
 
 
@@ -142,9 +184,22 @@ def ice_hits_water(run):
     end = run("ice_hits_water")
     spin, energy = vectors(end, "angular_momentum", "kg_m2_s"), end.series["kinetic_energy_j"]
     return [
-        at_most("momentum gained or lost, of what is exchanged", momentum_drift(end, 0, -1, end.lattice_kg), 1e-4),
-        reported("angular momentum gained or lost", percent(np.linalg.norm(spin[-1] - spin[0]) / np.linalg.norm(spin[0])), "%"),
-        at_most("kinetic energy above that of the start", percent(energy.max() / energy[0] - 1.0), 0.1, "%"),
+        at_most(
+            "momentum gained or lost, of what is exchanged",
+            momentum_drift(end, 0, -1, end.lattice_kg),
+            1e-4,
+        ),
+        reported(
+            "angular momentum gained or lost",
+            percent(np.linalg.norm(spin[-1] - spin[0]) / np.linalg.norm(spin[0])),
+            "%",
+        ),
+        at_most(
+            "kinetic energy above that of the start",
+            percent(energy.max() / energy[0] - 1.0),
+            0.1,
+            "%",
+        ),
     ]
 
 
@@ -162,11 +217,19 @@ def freeze_in_flight(run):
     return [
         at_least("share of ice in the end", end.series["strictness"][-1], 1.0),
         at_most("time from the first ice to the last", time[after] - time[before], 0.1, "s"),
-        at_most("momentum gained or lost in freezing, of what collided", momentum_drift(end, before, after, end.lattice_kg), 1e-3),
+        at_most(
+            "momentum gained or lost in freezing, of what collided",
+            momentum_drift(end, before, after, end.lattice_kg),
+            1e-3,
+        ),
         # Of the particles' paths: what a piece has in the spins of its particles is missing, 0.1 m d^2 each. test/core
         # counts it in, and there angular momentum stays to the bound of 1e-3.
         reported("angular momentum gained or lost in freezing", turned(before, after)),
-        at_most("fastest particle after freezing, of that before", fastest[after:].max() / fastest[before], 1.0 + 1e-6),
+        at_most(
+            "fastest particle after freezing, of that before",
+            fastest[after:].max() / fastest[before],
+            1.0 + 1e-6,
+        ),
         at_most("angular momentum gained or lost by the ice later", turned(after, -1), 1e-3),
         reported("pieces of ice", end.series["bodies"][after]),
     ]

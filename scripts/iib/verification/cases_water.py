@@ -14,8 +14,12 @@ INCH_M = 0.0254
 def energy_rise(run):
     """Highest total energy above that of the start, relative to the largest part of it."""
     total = run.series["total_energy_j"]
-    scale = max(run.series["kinetic_energy_j"].max(), np.abs(run.series["potential_energy_j"]).max())
-    return at_most("energy above that of the start", percent((total.max() - total[0]) / scale), 0.1, "%")
+    scale = max(
+        run.series["kinetic_energy_j"].max(), np.abs(run.series["potential_energy_j"]).max()
+    )
+    return at_most(
+        "energy above that of the start", percent((total.max() - total[0]) / scale), 0.1, "%"
+    )
 
 
 def mean_height(run):
@@ -27,7 +31,11 @@ def landing(run, drop_m, surface_m, frame_s):
     """Frames between the one in which the lowest particle touches and the time at which a stone would."""
     touches = run.series["min_z_m"] <= surface_m + 0.5 * run.spacing_m + 1e-5
     time = run.series["time_s"][np.argmax(touches)] if touches.any() else math.inf
-    return at_most("landing apart from a stone's, in frames", abs(time - known.fall_time(drop_m)) / frame_s, 1.0)
+    return at_most(
+        "landing apart from a stone's, in frames",
+        abs(time - known.fall_time(drop_m)) / frame_s,
+        1.0,
+    )
 
 
 @case()
@@ -43,12 +51,23 @@ def free_fall(run):
     parabola = known.parabola(10.125, 3.0, time)
     ratio = abs(height[-1] - parabola[-1]) / abs(mean_height(halved)[-1] - parabola[-1])
     return [
-        at_most("height against the stepped closed form, relative", relative(height, stepped), 1e-12),
-        at_most("kinetic energy against the closed form, relative",
-                relative(end.series["kinetic_energy_j"], 0.5 * end.mass_kg * speed2), 1e-12),
-        at_most("height after 1 s in single precision, apart",
-                1e3 * abs(single.series["mean_z_m"][-1] - stepped[-1]), 1.0, "mm"),
-        at_most("error to the parabola for half the step: halves, apart from 2", abs(ratio - 2.0), 1e-6),
+        at_most(
+            "height against the stepped closed form, relative", relative(height, stepped), 1e-12
+        ),
+        at_most(
+            "kinetic energy against the closed form, relative",
+            relative(end.series["kinetic_energy_j"], 0.5 * end.mass_kg * speed2),
+            1e-12,
+        ),
+        at_most(
+            "height after 1 s in single precision, apart",
+            1e3 * abs(single.series["mean_z_m"][-1] - stepped[-1]),
+            1.0,
+            "mm",
+        ),
+        at_most(
+            "error to the parabola for half the step: halves, apart from 2", abs(ratio - 2.0), 1e-6
+        ),
     ]
 
 
@@ -58,8 +77,12 @@ def still(run, since_s):
     height = run.series["mean_z_m"]
     speed = math.sqrt(np.mean(run.series["rms_speed_m_s"][late] ** 2))
     return [
-        at_least("height of the centre of mass, of the start's", height[late].mean() / height[0], 0.98),
-        at_most("mean density error", percent(run.series["density_error_mean"][late].mean()), 0.1, "%"),
+        at_least(
+            "height of the centre of mass, of the start's", height[late].mean() / height[0], 0.98
+        ),
+        at_most(
+            "mean density error", percent(run.series["density_error_mean"][late].mean()), 0.1, "%"
+        ),
         at_most("residual speed", 1e3 * speed, 10.0, "mm/s"),
     ]
 
@@ -67,10 +90,16 @@ def still(run, since_s):
 def pressure_error(run):
     """Of particles further than the support radius from walls and surface, by the final pressures."""
     if "pressure_pa" not in run.particles:
-        return reported("interior pressure against rho g depth (no pressure_pa in --particles)", math.nan, "%")
+        return reported(
+            "interior pressure against rho g depth (no pressure_pa in --particles)", math.nan, "%"
+        )
     p, reach = run.particles, 2 * run.spacing_m
     surface = 2 * p["z"].mean()
-    inside = (np.maximum(np.abs(p["x"]), np.abs(p["y"])) < 0.1 - reach) & (p["z"] > reach) & (p["z"] < surface - reach)
+    inside = (
+        (np.maximum(np.abs(p["x"]), np.abs(p["y"])) < 0.1 - reach)
+        & (p["z"] > reach)
+        & (p["z"] < surface - reach)
+    )
     expected = run.density_kg_m3 * known.GRAVITY_M_S2 * (surface - p["z"][inside])
     apart = p["pressure_pa"][inside] - expected
     error = math.sqrt(np.mean(apart**2) / np.mean(expected**2))
@@ -167,8 +196,15 @@ def elliptical_patch(run):
     inside = rate * time <= 2.0 + 1e-9
     kinetic = end.series["kinetic_energy_j"]
     return [
-        at_most("semi-major axis, largest error to A0 t = 2", percent(relative(half[inside], axes[inside, 0])), 3.0, "%"),
-        at_most("area, largest change to A0 t = 2", percent(relative(area[inside], area[0])), 1.0, "%"),
+        at_most(
+            "semi-major axis, largest error to A0 t = 2",
+            percent(relative(half[inside], axes[inside, 0])),
+            3.0,
+            "%",
+        ),
+        at_most(
+            "area, largest change to A0 t = 2", percent(relative(area[inside], area[0])), 1.0, "%"
+        ),
         reported("kinetic energy at the end, of the start's", kinetic[-1] / kinetic[0]),
         energy_rise(end),
     ]
@@ -181,9 +217,16 @@ def spinning_disk(run):
     time, spin = end.series["time_s"], end.series["angular_momentum_z_kg_m2_s"]
     radius = end.series["rms_x_m"][0] * np.sqrt(1 + (2.0 * time) ** 2)
     return [
-        at_most("radius against the closed form, relative", relative(end.series["rms_x_m"], radius), 1e-6),
-        at_most("kinetic energy lost or gained, relative",
-                relative(end.series["kinetic_energy_j"], end.series["kinetic_energy_j"][0]), 1e-12),
+        at_most(
+            "radius against the closed form, relative",
+            relative(end.series["rms_x_m"], radius),
+            1e-6,
+        ),
+        at_most(
+            "kinetic energy lost or gained, relative",
+            relative(end.series["kinetic_energy_j"], end.series["kinetic_energy_j"][0]),
+            1e-12,
+        ),
         at_most("angular momentum lost or gained, relative", relative(spin, spin[0]), 1e-6),
     ]
 
@@ -196,7 +239,11 @@ def ball_drop(run):
     flying = end.series["time_s"] < known.fall_time(0.5) - 2 * frame
     stepped = known.symplectic_fall(0.62, 0.0, end.series["time_s"], step)
     return [
-        at_most("height while it falls, relative", relative(mean_height(end)[flying], stepped[flying]), 1e-12),
+        at_most(
+            "height while it falls, relative",
+            relative(mean_height(end)[flying], stepped[flying]),
+            1e-12,
+        ),
         landing(end, 0.5, 0.0, frame),
         energy_rise(end),
     ]
@@ -208,8 +255,11 @@ def ball_on_sphere(run):
     end, step = run("ball_on_sphere", positions=True), 1.0 / 480
     distance = np.linalg.norm(end.positions - np.array([0, 0, 0.25], np.float32), axis=2)
     return [
-        at_least("nearest centre to the sphere's surface, in spacings",
-                 (distance.min() - 0.15) / end.spacing_m, 0.5 - 1e-4),
+        at_least(
+            "nearest centre to the sphere's surface, in spacings",
+            (distance.min() - 0.15) / end.spacing_m,
+            0.5 - 1e-4,
+        ),
         landing(end, 0.3, 0.4, step),
         energy_rise(end),
     ]
@@ -223,8 +273,11 @@ def falling_column(run):
     flying = time < known.fall_time(0.3) - step
     height, late = end.series["mean_z_m"], time > 3.0
     return [
-        at_most("shape while it falls, relative",
-                relative(end.series["rms_z_m"][flying], end.series["rms_z_m"][0]), 1e-3),
+        at_most(
+            "shape while it falls, relative",
+            relative(end.series["rms_z_m"][flying], end.series["rms_z_m"][0]),
+            1e-3,
+        ),
         landing(end, 0.3, 0.0, step),
         at_least("height once at rest, of the column's", 2 * height[late].mean() / 0.4, 0.98),
         energy_rise(end),
@@ -256,6 +309,8 @@ def sloshing(run):
     expected = known.standing_wave_period(0.6, 0.3)
     return [
         at_most("period against linear theory", percent(abs(period / expected - 1)), 5.0, "%"),
-        reported("share of the swing lost in a period", percent(1 - math.exp(-decay * period)), "%"),
+        reported(
+            "share of the swing lost in a period", percent(1 - math.exp(-decay * period)), "%"
+        ),
         energy_rise(end),
     ]

@@ -18,14 +18,23 @@ def save(drawing, path):
 
 def dams(run, path):
     drawing, places = figure(2)
-    scenes = (("martin_moyce_tall", 2, "twice as high as wide"), ("martin_moyce_square", 1, "as high as wide"))
+    scenes = (
+        ("martin_moyce_tall", 2, "twice as high as wide"),
+        ("martin_moyce_square", 1, "as high as wide"),
+    )
     for place, (scene, ratio, title) in zip(places, scenes):
         end, width = run(scene), 2.25 * 0.0254
         time = known.martin_moyce_time(end.series["time_s"], width, ratio)
         place.plot(time, (end.series["max_x_m"] + 0.5 * end.spacing_m) / width, label="simulated")
         for (n2, inches), data in known.MARTIN_MOYCE.items():
             if n2 == ratio:
-                place.plot(*data, "o" if inches == 2.25 else "^", ms=4, mfc="none", label=f"measured, a = {inches} in")
+                place.plot(
+                    *data,
+                    "o" if inches == 2.25 else "^",
+                    ms=4,
+                    mfc="none",
+                    label=f"measured, a = {inches} in",
+                )
         place.set(title=title, xlabel="T", ylabel="x / a", xlim=(0, 4.2), ylim=(1, 6.5))
         place.legend()
     save(drawing, path)
@@ -41,7 +50,9 @@ def patch(run, path):
         a, b = 0.5 * known.elliptical_patch(4.0, [end.series["time_s"][frame]])[0]
         place.plot(x, y, ".", ms=0.6, color="tab:blue")
         place.plot(a * np.cos(angle), b * np.sin(angle), color="tab:red", lw=0.8)
-        place.set(title=f"A0 t = {strain:g}", aspect="equal", xlim=(-1.95, 1.95), ylim=(-0.55, 0.55))
+        place.set(
+            title=f"A0 t = {strain:g}", aspect="equal", xlim=(-1.95, 1.95), ylim=(-0.55, 0.55)
+        )
     save(drawing, path)
 
 
@@ -69,7 +80,12 @@ def column(run, path):
     left.plot(p["pressure_pa"] if measured else p["density"], p["z"], ".", ms=2, label="particles")
     if measured:
         surface = 2 * p["z"].mean()
-        left.plot([1e3 * known.GRAVITY_M_S2 * surface, 0], [0, surface], color="tab:red", label="rho g depth")
+        left.plot(
+            [1e3 * known.GRAVITY_M_S2 * surface, 0],
+            [0, surface],
+            color="tab:red",
+            label="rho g depth",
+        )
     left.set(xlabel="Pa" if measured else "density / rest density", ylabel="height, m")
     left.legend()
     right.semilogy(end.series["time_s"], 1e3 * np.maximum(end.series["rms_speed_m_s"], 1e-6))
