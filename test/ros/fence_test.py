@@ -3,7 +3,6 @@
 import os
 import socket
 import subprocess
-import unittest
 
 from processes import SIMULATION_NODE, Processes
 SCRIPTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'scripts')

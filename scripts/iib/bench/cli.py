@@ -7,11 +7,11 @@ from iib.bench import compare, instructions, node_cost, parts, reference, target
 from iib.common.command_line import Parser, exit_code
 from iib.common.refusal import Refusal
 
-DESCRIPTION = """Compares what the working tree costs with what a commit costs, and measures for doc/performance.md.
+DESCRIPTION = """Compares what the working tree costs with what a commit costs.
 
-Both are built the same way in a folder outside of the repository and run in turn, so that a busy
-machine disturbs both alike; medians are compared, and a difference counts only when every run of one
-lies beyond every run of the other.
+Also measures for doc/performance.md. Both are built the same way in a folder outside of the
+repository and run in turn, so that a busy machine disturbs both alike; medians are compared, and a
+difference counts only when every run of one lies beyond every run of the other.
 
 Needs scripts/install_dependencies build bench (and run, for --node).
 """

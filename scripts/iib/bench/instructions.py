@@ -39,7 +39,7 @@ def compare_counts(folder, commit):
 
 
 def without_ice(folder):
-    """The working tree against a copy in which springs, temperature, heat and bodies do not exist."""
+    """The working tree against a copy without springs, temperature, heat and bodies."""
     tree = Tree("tree", folder).copy_working_tree().make("run_scene")
     bare = leave_out_ice(Tree("without_ice", folder).copy_working_tree()).make("run_scene")
     _print("without ice", bare, "tree", tree)

@@ -25,7 +25,8 @@ def write(folder, runs):
     with open(path, "w", newline="") as file:
         file.write(
             f"# {processor()}, {os.cpu_count()} processors; commit {commit()}; "
-            f"{datetime.date.today()}; {runs} runs; time: of the processor on one thread, else wall\n"
+            f"{datetime.date.today()}; {runs} runs; "
+            "time: of the processor on one thread, else wall\n"
         )
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["benchmark", "quantity", "unit", "median", "least", "most"])

@@ -34,8 +34,8 @@ def differ(a, b):
 def microbench(program, pattern, min_time_s=0.1):
     """One run of the micro-benchmarks. Seconds, but for what is named bytes.
 
-    On one thread the processor's time counts, which others on the machine disturb less; wall time is
-    beside it as "NAME wall".
+    On one thread the processor's time counts, which others on the machine disturb less; wall time
+    is beside it as "NAME wall".
     """
     out = run(
         [

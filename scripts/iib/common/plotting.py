@@ -1,4 +1,4 @@
-"""matplotlib without a screen. It takes a second to import, so only import this where it is needed."""
+"""matplotlib without a screen. Takes a second to import, so import it only where it is needed."""
 
 import matplotlib
 

@@ -12,7 +12,7 @@ def clock(seconds):
 
 
 class Progress:
-    """Knows how long each run took, so later rounds are foretold well. Several threads may use it."""
+    """Predicts later rounds from how long each run took. Several threads may use it."""
 
     def __init__(self, runs, stream=sys.stderr):
         self.left = [name for name in runs]  # one entry per run to come

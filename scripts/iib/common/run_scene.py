@@ -24,7 +24,8 @@ def find_run_scene(given=None):
     built = [p for p in ROOT.glob("build*/**/run_scene") if p.is_file() and os.access(p, os.X_OK)]
     if not built:
         raise Refusal(
-            "no run_scene found in the build folders; run scripts/build, or name one with --run-scene"
+            "no run_scene found in the build folders; run scripts/build, "
+            "or name one with --run-scene"
         )
     return max(built, key=lambda p: p.stat().st_mtime)
 

@@ -1,4 +1,4 @@
-"""What a user should take, worked out of the tables: settings for a particle count or an accuracy."""
+"""Which settings a user should take for a particle count or an accuracy, from the tables."""
 
 from iib.error_runtime.naming import AXES, sort_key
 
@@ -17,8 +17,8 @@ def setting_of(row, keys):
 
 
 def joined(tables, keys):
-    """Settings that every table holds as stable: dicts with the row of each table and, each the worst of
-    all tables, cost, error, largest and energy_rise."""
+    """Settings that every table holds as stable: dicts with the row of each table and, each the
+    worst of all tables, cost, error, largest and energy_rise."""
     by_setting = []
     for rows in tables:
         by_setting.append({setting_of(row, keys): row for row in rows if row["status"] == "ok"})
@@ -62,8 +62,9 @@ def most_particles(setting):
 
 
 def against_peers(rows, peers):
-    """Per peer's point: the cheapest of our stable points that is no worse in the mean and, where it was
-    measured, the largest error; and how many times cheaper it is. None where no point is as accurate.
+    """Per peer's point: the cheapest of our stable points that is no worse in the mean and, where
+    it was measured, the largest error; and how many times cheaper it is. None where no point is as
+    accurate.
     """
     compared = []
     for peer in peers:

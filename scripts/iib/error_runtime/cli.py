@@ -18,18 +18,18 @@ from iib.error_runtime.points import axes_of, table
 
 DESCRIPTION = """Runs a scene over a grid of settings and reports error against run time.
 
-Each point of the grid runs --repeats times, one run at a time, in rounds: every point once, then every
-point again. Medians and spread go into --out as points.csv and points.json, pictures as error.png and
-faces.png. Ctrl-C loses only the run under way: the same command goes on where it stopped. The same
-folder takes further points of the same scene, so a grid may grow."""
+Each point of the grid runs --repeats times, one run at a time, in rounds: every point once, then
+every point again. Medians and spread go into --out as points.csv and points.json, pictures as
+error.png and faces.png. Ctrl-C loses only the run under way: the same command goes on where it
+stopped. The same folder takes further points of the same scene, so a grid may grow."""
 
 EXAMPLES = """Examples:
   scripts/error_vs_runtime --scene dam_break --substeps 2,4,8,16 --iterations 1,2
-  scripts/error_vs_runtime --scene dam_break --substeps 4,8 --grid solver.epsilon=0.01,0.1 --repeats 5
+  scripts/error_vs_runtime --scene dam_break --substeps 4,8 --grid solver.epsilon=0.01,0.1
   scripts/error_vs_runtime --scene dam_break --substeps 2,4,8 --trajectory 0.5 --peers peers.csv
-  scripts/error_vs_runtime --scene freeze_container --duration 3 --preset default,paper --threads 1,2
-  scripts/error_vs_runtime --report            # measures what is missing, writes doc/error_vs_runtime.md
-  scripts/error_vs_runtime --report --no-run   # only writes it anew
+  scripts/error_vs_runtime --scene freeze_container --duration 3 --preset default,paper
+  scripts/error_vs_runtime --report           # measures what is missing, writes the document
+  scripts/error_vs_runtime --report --no-run  # only writes it again
 
 Peers' points: a CSV with the columns peer,method,setting,particles,threads,precision,
 us_per_particle_per_s,mean_error_percent,max_error_percent.

@@ -11,26 +11,30 @@ apart within_a_spacing_s ice_drift_spacings ice_residual_speed_m_s""".split()
 
 MEANING = """## What the numbers mean
 
-- **Cost**: wall time of the frames, without the measuring, over particles and simulated seconds; median over the
-  repeats, which ran in rounds. Points joined by a line differ only in what the labels say; the bar behind a point is
-  the spread of its repeats; × is unstable.
-- **Density error**: max(ρ/ρ0 − 1, 0) by the cubic spline with h = 2 d and walls counted, whatever the solver uses
-  inside: mean over particles and frames; and the mean over frames of the largest.
-- **Volume lost**: mean of 1 − 1 / max(ρ/ρ0, 1). **Column height**: of water that fills its container, twice the
-  height of its centre of mass, mean over the last half second; how far it is below that at the start (negative: it
-  stands too high).
-- **Energy risen without work**: how far the total energy was above its running minimum, relative to the weight of the
-  water times its height at the start plus its kinetic energy. It may not rise: 0 is ideal.
-- **Speed of the last half second**: root mean square over particles and frames. In still water 0 is ideal; in a splash
-  compare it with that of the accurate settings: above it boils, below it is sticky.
-{distance}- **Ice**: root mean square distance of the particles from the best-fit rigid motion of the piece that they froze into,
-  from the frame in which it froze to the end, in spacings; and the speed left, which should be 0. Sleep is off.
+- **Cost**: wall time of the frames, without the measuring, over particles and simulated seconds;
+  median over the repeats, which ran in rounds. Points joined by a line differ only in what the
+  labels say; the bar behind a point is the spread of its repeats; × is unstable.
+- **Density error**: max(ρ/ρ0 − 1, 0) by the cubic spline with h = 2 d and walls counted, whatever
+  the solver uses inside: mean over particles and frames; and the mean over frames of the largest.
+- **Volume lost**: mean of 1 − 1 / max(ρ/ρ0, 1). **Column height**: of water that fills its
+  container, twice the height of its centre of mass, mean over the last half second; how far it is
+  below that at the start (negative: it stands too high).
+- **Energy risen without work**: how far the total energy was above its running minimum, relative
+  to the weight of the water times its height at the start plus its kinetic energy. It may not
+  rise: 0 is ideal.
+- **Speed of the last half second**: root mean square over particles and frames. In still water 0
+  is ideal; in a splash compare it with that of the accurate settings: above it boils, below it is
+  sticky.
+{distance}- **Ice**: root mean square distance of the particles from the best-fit rigid motion of
+  the piece that they froze into, from the frame in which it froze to the end, in
+  spacings; and the speed left, which should be 0. Sleep is off.
 """
 
 
-DISTANCE = """- **Distance to the reference**: root mean square over particles to where a run in double with
-  {substeps} substeps has them, in spacings. That reference and one with half its substeps stay within a spacing for
-  {horizon}; later, water is chaos and no distance means anything.
+DISTANCE = """\
+- **Distance to the reference**: root mean square over particles to where a run in double with
+  {substeps} substeps has them, in spacings. That reference and one with half its substeps stay
+  within a spacing for {horizon}; later, water is chaos and no distance means anything.
 """
 
 
@@ -144,14 +148,14 @@ def advice(settings, keys, count=20_000):
     if best is not None:
         return (
             f"**For 30 fps with {count:,} particles take {setting(best['keys'], keys)}** "
-            f"(`{choices.overrides({k: best['keys'][k] for k in keys})}`): real time, mean density error "
-            f"{percent(best['error'])} % in the worst of these scenes."
+            f"(`{choices.overrides({k: best['keys'][k] for k in keys})}`): real time, mean density "
+            f"error {percent(best['error'])} % in the worst of these scenes."
         )
     fastest = min(settings, key=lambda s: s["cost"])
     return (
         f"**{count:,} particles do not reach real time on this machine**: the fastest setting, "
-        f"{setting(fastest['keys'], keys)}, runs at ×{1e6 / (count * fastest['cost']):.2f}, and in real time at "
-        f"up to {choices.most_particles(fastest):,.0f} particles."
+        f"{setting(fastest['keys'], keys)}, runs at ×{1e6 / (count * fastest['cost']):.2f}, "
+        f"and in real time at up to {choices.most_particles(fastest):,.0f} particles."
     )
 
 
@@ -163,19 +167,14 @@ def conclusions(results):
         return "No setting was stable and kept its energy in every scene of water.\n"
     keys = varying([s["keys"] for s in settings], axes)
     names = [result.study.scene for result in water]
-    return (
-        "\n\n".join(
-            [
-                advice(settings, keys),
-                f"Each setting is judged by the worst of {', '.join(names[:-1])} and {names[-1]}; those with which energy rises "
-                f"without work by more than {percent(choices.MAX_ENERGY_RISE)} % are left out. Real time holds at any frame "
-                "rate: a viewer at 30 fps shows every second frame of 1/60 s.",
-                counts_table(settings, keys),
-                targets_table(settings, keys, names),
-            ]
-        )
-        + "\n"
+    judged = (
+        f"Each setting is judged by the worst of {', '.join(names[:-1])} and {names[-1]}; those "
+        f"with which energy rises without work by more than {percent(choices.MAX_ENERGY_RISE)} % are "
+        "left out. Real time holds at any frame rate: a viewer at 30 fps shows every second frame of "
+        "1/60 s."
     )
+    tables = [counts_table(settings, keys), targets_table(settings, keys, names)]
+    return "\n\n".join([advice(settings, keys), judged, *tables]) + "\n"
 
 
 def peers_section(results, peers):
@@ -219,9 +218,10 @@ def origin(results):
     dates = sorted(run["date"] for run in runs)
     took = sum(run["seconds"] for run in runs) / 60
     return (
-        f"Made by `scripts/error_vs_runtime --report` at commit {', '.join(commits)} on {machine.processor()}, "
-        f"{THREADS} threads and float where nothing else is said, {dates[0][:10]}; {len(runs)} runs, "
-        f"{took:.0f} min of machine time. A setting's cost depends on the processor: run it on yours."
+        f"Made by `scripts/error_vs_runtime --report` at commit {', '.join(commits)} on "
+        f"{machine.processor()}, {THREADS} threads and float where nothing else is said, "
+        f"{dates[0][:10]}; {len(runs)} runs, {took:.0f} min of machine time. A setting's cost "
+        "depends on the processor: run it on yours."
     )
 
 

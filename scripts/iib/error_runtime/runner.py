@@ -16,7 +16,7 @@ precision preset error settings""".split()
 
 
 class Runner:
-    """program: path of run_scene; campaign: scene, duration_s (None: the scene's) and set (a list)."""
+    """program: path of run_scene; campaign: scene, duration_s (None: the scene's), set (list)."""
 
     def __init__(self, program, campaign, timeout_s=600):
         self.program = str(program)

@@ -21,7 +21,9 @@ WATER = (
 
 @dataclasses.dataclass
 class Study:
-    """grids: axes per grid, of which the points are joined; an axis that the program lacks is left out."""
+    """grids: axes per grid, of which the points are joined; an axis that the program lacks is left
+    out.
+    """
 
     name: str
     scene: str

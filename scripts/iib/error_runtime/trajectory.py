@@ -21,7 +21,7 @@ def distances(record, reference, spacing_m):
 
 
 def time_within(apart, frame_rate_hz, limit=1.0):
-    """Time in s until which the distance stays below the limit; the whole of it if it always does."""
+    """Time in s until which the distance stays below the limit; all of it if it always does."""
     beyond = numpy.flatnonzero(~(apart < limit))
     frame = beyond[0] if len(beyond) else len(apart) - 1
     return float(frame / frame_rate_hz)

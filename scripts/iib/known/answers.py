@@ -1,4 +1,6 @@
-"""Answers that are known without a simulation: closed forms, differential equations, measurements. SI units."""
+"""Answers that are known without a simulation: closed forms, differential equations, measurements.
+SI units.
+"""
 
 import math
 
@@ -6,10 +8,10 @@ import numpy as np
 
 GRAVITY_M_S2 = 9.81
 
-# Martin and Moyce 1952, Phil. Trans. R. Soc. A 244, 312: where the foot of a collapsing column is, x / a, at
-# T = n t sqrt(g / a), for a column of width a and height n^2 a. Named by n^2 and by a in inches.
-# (2, 2.25): their table 2, and from T = 4 on their figure 3 as PySPH reads it; (2, 1.125): figure 3 as PySPH reads
-# it; (1, 2.25): as two later papers print it, which agree.
+# Martin and Moyce 1952, Phil. Trans. R. Soc. A 244, 312: where the foot of a collapsing column is,
+# x / a, at T = n t sqrt(g / a), for a column of width a and height n^2 a. Named by n^2 and by a in
+# inches. (2, 2.25): their table 2, and from T = 4 on their figure 3 as PySPH reads it; (2, 1.125):
+# figure 3 as PySPH reads it; (1, 2.25): as two later papers print it, which agree.
 MARTIN_MOYCE = {
     (2, 2.25): (
         (
@@ -109,7 +111,9 @@ MARTIN_MOYCE = {
 
 
 def symplectic_fall(start, velocity, time, step, gravity=-GRAVITY_M_S2):
-    """Height of a body in free fall as symplectic Euler steps it: exact, so rounding is all that may be left."""
+    """Height of a body in free fall as symplectic Euler steps it: exact, so rounding is all that
+    may be left.
+    """
     return start + velocity * time + 0.5 * gravity * time * (time + step)
 
 
@@ -127,10 +131,11 @@ def martin_moyce_time(time, width, ratio):
 
 
 def elliptical_patch(rate, times, steps_per_unit=4000):
-    """Semi-axes of a disk of radius 1 that starts as v = (rate x, -rate y) and feels no outer force (Monaghan 1994).
+    """Semi-axes of a disk of radius 1 that starts as v = (rate x, -rate y) and feels no outer force
+    (Monaghan 1994).
 
-    The flow stays v = (A x, -A y) inside an ellipse of semi-axes a, b on which the pressure is zero:
-    a' = A a, b' = -A b, A' = A^2 (b^2 - a^2) / (a^2 + b^2). Returns an array of rows (a, b).
+    The flow stays v = (A x, -A y) inside an ellipse of semi-axes a, b on which the pressure is
+    zero: a' = A a, b' = -A b, A' = A^2 (b^2 - a^2) / (a^2 + b^2). Returns an array of rows (a, b).
     """
 
     def slope(state):
@@ -155,13 +160,16 @@ def elliptical_patch(rate, times, steps_per_unit=4000):
 
 
 def standing_wave_period(length, depth):
-    """Of the first sideways swing of water in a tank: half a wave between its walls (linear theory)."""
+    """Of the first sideways swing of water in a tank: half a wave between its walls (linear
+    theory).
+    """
     wave_number = math.pi / length
     return 2 * math.pi / math.sqrt(GRAVITY_M_S2 * wave_number * math.tanh(wave_number * depth))
 
 
 def damped_swing(times, values):
-    """Period, decay rate and amplitude of amplitude exp(-decay t) sin(2 pi t / period + phase) + offset.
+    """Period, decay rate and amplitude of amplitude exp(-decay t) sin(2 pi t / period + phase) +
+    offset.
 
     Least squares: for each period and decay tried the rest is linear.
     """

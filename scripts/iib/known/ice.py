@@ -1,4 +1,6 @@
-"""Closed forms of water that freezes and of ice that floats, and how levels are read off particles. SI units."""
+"""Closed forms of water that freezes and of ice that floats, and how levels are read off particles.
+SI units.
+"""
 
 import dataclasses
 import math
@@ -8,7 +10,7 @@ import numpy as np
 
 @dataclasses.dataclass
 class Freezing:
-    """A plate at `wall_c` below water at `water_c`, both from the start; melting point 0 degrees C."""
+    """A plate at `wall_c` below water at `water_c`, both from the start; melting at 0 degrees C."""
 
     wall_c: float = -10.0
     water_c: float = 0.0
@@ -28,10 +30,11 @@ class Freezing:
         return self.ice_w_mk / (self.ice_kg_m3 * self.ice_j_kgk)
 
     def constant(self):
-        """lambda of the front s = 2 lambda sqrt(alpha t): Neumann's solution, Carslaw and Jaeger 1959, 11.2 (IV).
+        """lambda of the front s = 2 lambda sqrt(alpha t): Neumann's solution, Carslaw and Jaeger
+        1959, 11.2 (IV).
 
-        Ice that is lighter than water lifts it at (1 - r) ds/dt with r the ratio of the densities, so that the water
-        keeps the similarity with r lambda in place of lambda in its own terms.
+        Ice that is lighter than water lifts it at (1 - r) ds/dt with r the ratio of the densities,
+        so that the water keeps the similarity with r lambda in place of lambda in its own terms.
         """
         water = self.water_w_mk / (self.water_kg_m3 * self.water_j_kgk)
         ratio = math.sqrt(self.diffusivity_m2_s() / water)
@@ -77,9 +80,11 @@ def alike(stefan, water_c=0.0, ice_kg_m3=1000.0):
 
 
 def level(heights_m, spacing_m, floor_m=0.0):
-    """Height up to which a column of water stands: where the particles per height fall to half of those inside it.
+    """Height up to which a column of water stands: where the particles per height fall to half of
+    those inside it.
 
-    Each particle is spread over a spacing above and below it, so that a lattice of any offset has its own height.
+    Each particle is spread over a spacing above and below it, so that a lattice of any offset has
+    its own height.
     """
     heights_m = np.asarray(heights_m)
     top = heights_m.max() + spacing_m

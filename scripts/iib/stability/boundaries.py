@@ -1,4 +1,6 @@
-"""Just inside and just outside each end of the range of every key: run there, refused here, and by name."""
+"""Just inside and just outside each end of the range of every key: run there, refused here, and by
+name.
+"""
 
 import dataclasses
 
@@ -9,7 +11,9 @@ FRAMES_S = 0.05
 
 @dataclasses.dataclass
 class Probe:
-    """A value at or beyond an end. Another rule may forbid what the range allows; it has to name the key too."""
+    """A value at or beyond an end. Another rule may forbid what the range allows; it has to name
+    the key too.
+    """
 
     key: str
     value: str

@@ -13,10 +13,11 @@ from iib.stability.verdict import energy_rise
 
 @dataclasses.dataclass
 class Case:
-    """number: that of the list of extremes which the suite began with, 0 for those added; expected: in words.
+    """number: that of the list of extremes which the suite began with, 0 for those added; expected:
+    in words.
 
-    rise: how much energy may appear without work, of what the scene holds, or None where that is only reported; because: why
-    this case has a bound of its own.
+    rise: how much energy may appear without work, of what the scene holds, or None where that is
+    only reported; because: why this case has a bound of its own.
     """
 
     name: str
@@ -48,7 +49,9 @@ def case(number=0, rise=MOST_RISE, because=""):
 
 
 class Runs:
-    """The runs of one case. Each that was not to be refused has to stay finite and keep what it holds inside."""
+    """The runs of one case. Each that was not to be refused has to stay finite and keep what it
+    holds inside.
+    """
 
     def __init__(self, runner):
         self.runner, self.outcomes, self.refusals = runner, [], []

@@ -21,7 +21,9 @@ def momentum_lost(outcome):
 
 @case(7)
 def instant_freeze(run):
-    """All of a splash in flight freezes at once, by springs and by heat: momentum kept, no one faster than before"""
+    """All of a splash in flight freezes at once, by springs and by heat: momentum kept, no one
+    faster than before
+    """
     checks = []
     for kind, sets in (("springs", ("heat.enabled=false",)), ("heat", ("heat.speedup=1e7",))):
         end = run("freeze_in_flight", *sets, series=True)
@@ -63,7 +65,9 @@ def absurd_temperatures(run):
 
 @case(24)
 def overshooting_settings(run):
-    """Relaxation above 1, warm start above 1/2, a mass that no water can have: refused; epsilon 0: stable"""
+    """Relaxation above 1, warm start above 1/2, a mass that no water can have: refused; epsilon 0:
+    stable
+    """
     run.refused("solver.relaxation", "splash", "solver.relaxation=1.01")
     run.refused("solver.warm_start", "splash", "solver.warm_start=0.9")
     run.refused("fluid.particle_mass_kg", "splash", "fluid.particle_mass_kg=1e3")
@@ -103,7 +107,9 @@ def backward_and_nowhere(run):
 
 @case(26)
 def melting_in_contact(run):
-    """Balls of ice that lie on each other in water melt within a tenth of a second: no kick, all melted"""
+    """Balls of ice that lie on each other in water melt within a tenth of a second: no kick, all
+    melted
+    """
     hot = (
         "heat.speedup=1e5",
         "schedule=[{at_s: 0.6, celsius: 200}]",
@@ -142,7 +148,9 @@ def any_number_of_threads(run):
 
 @case(rise=None, because="ice that expands works")
 def frozen_in_a_full_tank(run):
-    """A tank full to the lid freezes and has nowhere to expand, with ice lighter and heavier than water: contained"""
+    """A tank full to the lid freezes and has nowhere to expand, with ice lighter and heavier than
+    water: contained
+    """
     full = (
         "blocks=[{min_m: [-0.4, -0.2, 0], max_m: [0.4, 0.2, 0.7], celsius: 1}]",
         "heat.speedup=1e5",
@@ -162,7 +170,9 @@ def frozen_in_a_full_tank(run):
 
 @case(rise=None, because="steam is lifted")
 def all_boils_at_once(run):
-    """Boiling at the fastest clock and the greatest flux, and all of it condensed again: contained, counted"""
+    """Boiling at the fastest clock and the greatest flux, and all of it condensed again: contained,
+    counted
+    """
     end = run("kettle", "heat.speedup=1e7", "containers.0.flux_w_m2=1e7")
     run("kettle", "heat.speedup=1e7", "containers.0.flux_w_m2=-1e7")
     run(
@@ -191,7 +201,9 @@ def ice_at_a_step_of_a_second(run):
 
 @case()
 def greatest_conductivity(run):
-    """Conductivities, capacities and latent heats at the ends of their ranges, at the fastest clock: contained"""
+    """Conductivities, capacities and latent heats at the ends of their ranges, at the fastest
+    clock: contained
+    """
     fast = ("heat.speedup=1e7", "schedule=[{at_s: 0.1, celsius: -100}, {at_s: 0.5, celsius: 500}]")
     most = (
         "heat.ice_conductivity_w_mk=1e4",

@@ -27,7 +27,10 @@ def copied(block, x, y, z, also=None):
 
 def tank(*sizes, z=0.0, wall=0.02):
     size = ", ".join(f"{s:g}" for s in sizes)
-    return f"containers=[{{name: tank, position_m: [0, 0, {z:g}], size_m: [{size}], wall_m: {wall:g}, open_top: false}}]"
+    return (
+        f"containers=[{{name: tank, position_m: [0, 0, {z:g}], size_m: [{size}], "
+        f"wall_m: {wall:g}, open_top: false}}]"
+    )
 
 
 def calm(outcome, bound=0.02):
@@ -48,7 +51,9 @@ def step_of_a_second(run):
 
 @case(2, rise=1.0, because="crushed in a step")
 def gravity_of_1e4(run):
-    """Gravity of 10,000 m/s², down and aslant, with the usual speed limit and without: capped, contained"""
+    """Gravity of 10,000 m/s², down and aslant, with the usual speed limit and without: capped,
+    contained
+    """
     usual = run("splash", "gravity_m_s2=[0, 0, -1e4]")
     run("splash", "gravity_m_s2=[1e4, 1e4, -1e4]")
     run("splash", "gravity_m_s2=[0, 0, -1e4]", FREE)
@@ -82,7 +87,9 @@ def centre_of_a_sphere(run):
 
 @case(6)
 def too_full(run):
-    """A tank with its water eight times over, and a million particles in room for half: refused by name"""
+    """A tank with its water eight times over, and a million particles in room for half: refused by
+    name
+    """
     full = copied("{min_m: [-0.25, -0.25, 0], max_m: [0.25, 0.25, 0.5]}", 2, 2, 2)
     run.refused("blocks.1 overlaps blocks.0", "splash", f"blocks=[{full}]", tank(0.5, 0.5, 0.5))
     crowd = copied("{min_m: [-0.5, -0.5, 0], max_m: [0.5, 0.5, 0.5]}", 1, 1, 2)
@@ -144,7 +151,9 @@ def any_size(run):
 
 @case(12, rise=None, because="of a weight of nothing: rounding")
 def denormals(run):
-    """Gravity so small that speeds are denormal: no more than twice as slow as with ordinary numbers"""
+    """Gravity so small that speeds are denormal: no more than twice as slow as with ordinary
+    numbers
+    """
 
     def cost(gravity):
         return run(
@@ -185,11 +194,14 @@ def one_particle(run):
 
 @case(17)
 def gap_below_a_particle(run):
-    """Gaps of less than a spacing between ball, plate and floor, a tank narrower than a particle: contained"""
+    """Gaps of less than a spacing between ball, plate and floor, a tank narrower than a particle:
+    contained
+    """
     run("splash", "spheres=[{name: ball, position_m: [0.2, 0, 0.17], radius_m: 0.15}]")
     run(
         "splash",
-        "planes=[{name: plate, position_m: [0, 0, 0.04], size_x_m: 0.9, size_y_m: 0.5, thickness_m: 0.02}]",
+        "planes=[{name: plate, position_m: [0, 0, 0.04], size_x_m: 0.9, size_y_m: 0.5, "
+        "thickness_m: 0.02}]",
     )
     run("splash", f"blocks=[{point(z=0.03)}]", tank(0.03, 0.03, 0.5))
     run("splash", f"blocks=[{point(z=0.03)}, {point(z=0.08)}]", tank(0.03, 0.03, 0.11))
@@ -203,12 +215,17 @@ def gap_below_a_particle(run):
 
 @case(18, rise=2e-3, because="at a substep a frame")
 def thousand_metres_a_second(run):
-    """Water and ice at 1,000 m/s against walls and a plate a tenth of a millimetre thick: nothing tunnels"""
+    """Water and ice at 1,000 m/s against walls and a plate a tenth of a millimetre thick: nothing
+    tunnels
+    """
     for speed in ("[1000, 0, 0]", "[-577, 577, 577]", "[0, 0, -1000]"):
         run("shot", f"blocks.0.velocity_m_s={speed}")
         run("shot", f"blocks.0.velocity_m_s={speed}", "solver.substeps=1")
         run("shot", f"blocks.0.velocity_m_s={speed}", "heat.enabled=true", "blocks.0.celsius=-5")
-    plate = "planes=[{name: plate, position_m: [0.35, 0, 0.5], rpy_deg: [0, -90, 0], size_x_m: 1, size_y_m: 1, thickness_m: 1e-4}]"
+    plate = (
+        "planes=[{name: plate, position_m: [0.35, 0, 0.5], rpy_deg: [0, -90, 0], "
+        "size_x_m: 1, size_y_m: 1, thickness_m: 1e-4}]"
+    )
     through = [
         run("shot", "blocks.0.velocity_m_s=[1000, 0, 0]", plate, *ice, series=True)
         for ice in ((), ("heat.enabled=true", "blocks.0.celsius=-5"))
@@ -273,7 +290,9 @@ def overlapping_spawn(run):
 
 @case(rise=None, because="nothing guards it")
 def no_guard(run):
-    """Relaxation 1, no correction limit, no viscosity, one iteration, density below rest corrected too: contained"""
+    """Relaxation 1, no correction limit, no viscosity, one iteration, density below rest corrected
+    too: contained
+    """
     bare = (
         "solver.relaxation=1",
         "solver.max_correction_h=0",
@@ -288,7 +307,9 @@ def no_guard(run):
 
 @case(rise=0.01, because="under a hundred times the weight")
 def preset_paper(run):
-    """The paper's own constants under a hundred times its gravity, as water and as springs: contained"""
+    """The paper's own constants under a hundred times its gravity, as water and as springs:
+    contained
+    """
     run("splash", "gravity_m_s2=[0, 0, -981]", preset="paper", duration_s=2)
     run(
         "pool",

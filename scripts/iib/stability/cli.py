@@ -21,8 +21,9 @@ from iib.stability.runs import Runner
 
 DESCRIPTION = """Drives water, ice and steam to extremes and holds what comes of it to bounds.
 
-Cases, each with what is expected of it; maps, in which a key is swept over decades across the ends of its range; the
-ends of every range; the energy of shipped scenes; long runs of a million steps. Meaning and figures: doc/stability.md.
+Cases, each with what is expected of it; maps, in which a key is swept over decades across the ends
+of its range; the ends of every range; the energy of shipped scenes; long runs of a million steps.
+Meaning and figures: doc/stability.md.
 
 Examples:
   scripts/stability                          # all but the long runs
@@ -30,14 +31,17 @@ Examples:
   scripts/stability --map viscosity          # one map, and its picture in the folder --out
   scripts/stability --boundaries             # just inside and just outside the range of every key
   scripts/stability --energy                 # shipped scenes at 2, 8 and 24 substeps
-  scripts/stability --long                   # a million steps of a pool and of an iceberg: half an hour on two cores
+  scripts/stability --long                   # a million steps of two scenes at rest: half an hour
   scripts/stability --long --steps 10000     # the same in half a minute
   scripts/stability --list
-  scripts/stability --document               # all but the long runs, and doc/stability.md of all that --out holds
-  scripts/stability --write out/stability /tmp/long  # runs nothing: doc/stability.md of what these folders hold
+  scripts/stability --document               # all but the long runs, and doc/stability.md
+  scripts/stability --write out/stability /tmp/long  # runs nothing: doc/stability.md
 
-What is finished is kept in --out and not run again by the same program: a suite that was stopped goes on.
-Exit code: 0 all as expected, 1 bad input, 2 something is not as expected, 130 stopped before the end.
+What is finished is kept in --out and not run again by the same program: a suite that was stopped
+goes on.
+
+Exit code: 0 all as expected, 1 bad input, 2 something is not as expected, 130 stopped before the
+end.
 """
 LONGEST_CASE_S, LONGEST_RUN_S = 900.0, 7 * 24 * 3600.0
 
@@ -107,7 +111,8 @@ class Suite:
             print(f"FAIL  {probe.key} = {probe.value}: {probe.verdict}, {probe.outcome.message}")
             print(f"      {probe.outcome.reproduce()}")
         print(
-            f"{len(probes) - len(wrong)} of {len(probes)} values beside the ends of {len(self.ranges)} ranges as expected"
+            f"{len(probes) - len(wrong)} of {len(probes)} values beside the ends of "
+            f"{len(self.ranges)} ranges as expected"
         )
         self.results.put("boundaries", summary.of_probes(probes))
         return not wrong

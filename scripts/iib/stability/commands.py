@@ -1,4 +1,6 @@
-"""Cases that a scene file cannot say, as a test program runs them: its figures become lines of the same table."""
+"""Cases that a scene file cannot say, as a test program runs them: its figures become lines of the
+same table.
+"""
 
 import json
 import pathlib
@@ -47,7 +49,8 @@ def measure(program, out, names=()):
     done = subprocess.run(command, capture_output=True, text=True)
     if not path.exists():
         raise Refusal(
-            f"{program} ended by {done.returncode} and printed nothing: {done.stderr.strip()[-300:]}"
+            f"{program} ended by {done.returncode} and printed nothing: "
+            + done.stderr.strip()[-300:]
         )
     suites = json.loads(path.read_text())["testsuites"]
     return [line(test) for suite in suites for test in suite["testsuite"]]

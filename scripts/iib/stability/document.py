@@ -82,8 +82,10 @@ def case_table(lines):
 
 def boundary_table(found):
     text = (
-        f"{found['values']} values beside the ends of every range: {found['as expected']} as expected, "
-        f"{found['outside and refused']} outside and refused by name, {found['inside and run']} inside and run."
+        f"{found['values']} values beside the ends of every range: "
+        f"{found['as expected']} as expected, "
+        f"{found['outside and refused']} outside and refused by name, "
+        f"{found['inside and run']} inside and run."
     )
     text += "\n\nWithin a range and refused by another rule, which names the key:\n\n"
     text += markdown.table(("value", "why"), found["inside and refused"].items(), LEFT)
@@ -140,7 +142,9 @@ TABLES = {
 
 
 def write(folders):
-    """Replaces what stands between the markers of each part that a folder holds; of several, by the last that does."""
+    """Replaces what stands between the markers of each part that a folder holds; of several, by the
+    last that does.
+    """
     text, pictures = DOCUMENT.read_text(), {}
     for folder in folders:
         for part, found in kept(folder).items():

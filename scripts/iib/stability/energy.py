@@ -1,4 +1,6 @@
-"""Shipped scenes at few and many substeps: the energy that rises without work, with and without its elastic part."""
+"""Shipped scenes at few and many substeps: the energy that rises without work, with and without its
+elastic part.
+"""
 
 import dataclasses
 
@@ -13,7 +15,9 @@ DURATION_S = 2.0
 
 @dataclasses.dataclass
 class Balance:
-    """Rises relative to what the fall sets free. mechanical: of kinetic and potential energy alone; lived: finite, inside."""
+    """Rises relative to what the fall sets free. mechanical: of kinetic and potential energy alone;
+    lived: finite, inside.
+    """
 
     scene: str
     substeps: int

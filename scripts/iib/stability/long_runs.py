@@ -49,7 +49,7 @@ def tenths(values):
 
 
 def turned_degrees(positions):
-    """Angle by which a rigid cloud is turned against the first sample after it settled, by sample."""
+    """Rotation of a rigid cloud against the first sample after it settled, by sample."""
     first = positions[int(SETTLED * len(positions))].astype(float)
     first = first - first.mean(axis=0)
     angles = []

@@ -102,7 +102,9 @@ def compliance_map():
 
 
 def jump_map():
-    """The ends are those of temperatures: a jump from 5 down to -273.15 or from -5 up to 1000 degrees."""
+    """The ends are those of temperatures: a jump from 5 down to -273.15 or from -5 up to 1000
+    degrees.
+    """
 
     def row(name, scene, start_c, sign, highest, sets=()):
         def all_sets(size):
@@ -153,7 +155,9 @@ def density_ratio_map():
 
 
 def scaled_splash(spacing_m):
-    """The splash at another size, its floor below the origin so that the largest is within 100 m of it."""
+    """The splash at another size, its floor below the origin so that the largest is within 100 m of
+    it.
+    """
     s = spacing_m / CALM_SPACING_M
     low, high, size, floor = (
         "[" + ", ".join(f"{s * x:.9g}" for x in corner) + "]"
@@ -187,7 +191,7 @@ def froude(spacing_m):
 
 
 def size_map():
-    """Alike: the same flow. Otherwise a frame is a sixtieth of a second: the smaller the stiffer."""
+    """Alike: the same flow. Otherwise a frame is 1/60 s: the smaller the stiffer."""
     rows = [
         Row("alike", "splash", froude, lambda d: math.sqrt(d / CALM_SPACING_M), "fluid.spacing_m")
     ]

@@ -1,7 +1,7 @@
 """Maps of what stays up: one key swept over decades, crossed with a second axis.
 
-Every map runs past the ends of the key's range, so that what is refused shows, and stands just inside and just
-outside of each end: there the program has to change its mind.
+Every map runs past the ends of the key's range, so that what is refused shows, and stands just
+inside and just outside of each end: there the program has to change its mind.
 """
 
 import dataclasses
@@ -24,8 +24,8 @@ def decades(first, last):
 
 @dataclasses.dataclass
 class Row:
-    """Of a map. sets: the overrides of a swept value; seconds: how long it runs; key: whose range says what is
-    refused; ends: from where to where it may run, where no one key says so."""
+    """Of a map. sets: the overrides of a swept value; seconds: how long it runs; key: whose range
+    says what is refused; ends: from where to where it may run, where no one key says so."""
 
     name: str
     scene: str

@@ -17,7 +17,8 @@ def number(value, scale=1.0, digits=DIGITS):
 
 def case_text(line):
     """Of a case, for the terminal."""
-    head = f"{line.name}: {line.title} ({number(line.simulated_s)} s, {line.substeps} substeps, {number(line.wall_s)} s wall)"
+    cost = f"{number(line.simulated_s)} s, {line.substeps} substeps, {number(line.wall_s)} s wall"
+    head = f"{line.name}: {line.title} ({cost})"
     rows = [check.line(DIGITS) for check in line.checks]
     if not line.passed():
         rows += [f"        {command}" for command in line.commands]

@@ -1,4 +1,6 @@
-"""The range of every key, read from what `run_scene --defaults` prints, so that no second list can differ from it."""
+"""The range of every key, read from what `run_scene --defaults` prints, so that no second list can
+differ from it.
+"""
 
 import dataclasses
 import re
@@ -6,7 +8,8 @@ import re
 from iib.common import processes
 
 LINE = re.compile(
-    r"^(?P<comment>#?)(?P<indent> *)(?P<key>\w+):(?P<value>[^#{]*).*\{\[(?P<low>\S+), (?P<high>\S+)\]\}$"
+    r"^(?P<comment>#?)(?P<indent> *)(?P<key>\w+):(?P<value>[^#{]*).*"
+    r"\{\[(?P<low>\S+), (?P<high>\S+)\]\}$"
 )
 SECTION = re.compile(r"^(?P<section>\w+):(?P<list> \[\])?\s*$")
 

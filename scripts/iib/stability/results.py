@@ -1,4 +1,6 @@
-"""stability.json in the folder of the suite: what each part found last, with processor, commit and date."""
+"""stability.json in the folder of the suite: what each part found last, with processor, commit and
+date.
+"""
 
 import json
 import math

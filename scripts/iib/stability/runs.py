@@ -1,7 +1,9 @@
-"""Runs of run_scene, each kept in a folder of its own, so that a suite that was stopped goes on where it was.
+"""Runs of run_scene, each kept in a folder of its own, so that a suite that was stopped goes on
+where it was.
 
-runs/<key>/outcome.json  status, message, seconds and the words of the command; written last, so half a run is no run
-runs/<key>/report.json   what run_scene measured; series.csv and particles.csv where they were asked for
+runs/<key>/outcome.json  status, message, seconds and the words of the command; written last, so
+half a run is no run runs/<key>/report.json   what run_scene measured; series.csv and particles.csv
+where they were asked for
 
 The key changes with the program, the words and the text of the scene.
 """
@@ -25,7 +27,9 @@ MOST_MEMORY_BYTES = 8 << 30  # so that no case takes the machine with it
 
 @dataclasses.dataclass(frozen=True)
 class Asked:
-    """What to run; scene is a file of config/scenes/stability, or a path or name that run_scene knows."""
+    """What to run; scene is a file of config/scenes/stability, or a path or name that run_scene
+    knows.
+    """
 
     scene: str
     sets: tuple = ()
@@ -89,7 +93,9 @@ class Outcome:
 
 
 class Runner:
-    """program: path of run_scene; out: folder of the suite; runs are asked for from several threads."""
+    """program: path of run_scene; out: folder of the suite; runs are asked for from several
+    threads.
+    """
 
     def __init__(self, program, out, timeout_s=120.0):
         self.program, self.timeout_s = str(program), timeout_s

@@ -5,7 +5,8 @@ import math
 REFUSED, STABLE, DEGRADED, UNSTABLE = "refused", "stable", "degraded", "unstable"
 WORDS = (STABLE, DEGRADED, REFUSED, UNSTABLE)
 
-# Beyond these a run that stays up is called degraded. Water at rest at the default has 0.6 % and 0 %.
+# Beyond these a run that stays up is called degraded. Water at rest at the default has 0.6 % and 0
+# %.
 MOST_ERROR = 0.02  # mean density error
 MOST_RISE = 0.01  # energy risen without work, of what the scene holds
 MOST_CUT = 0.01  # corrections that were cut, per particle and substep

@@ -1,4 +1,6 @@
-"""Cases of heat: fronts of ice, enthalpy that stays, volume that freezing adds and melting takes back."""
+"""Cases of heat: fronts of ice, enthalpy that stays, volume that freezing adds and melting takes
+back.
+"""
 
 import math
 
@@ -10,9 +12,11 @@ from iib.verification.cases import case, percent
 
 
 def front_error(run, freezing, water_c=0.0, layers=14, spacing_m=0.01, depth=10, sets=()):
-    """Relative error of the front in the frames from `depth` layers of ice on, until there are `layers`.
+    """Relative error of the front in the frames from `depth` layers of ice on, until there are
+    `layers`.
 
-    The front is the thickness that the ice would have in one piece: what freezes in part counts in part.
+    The front is the thickness that the ice would have in one piece: what freezes in part counts in
+    part.
     """
     seconds = 10.0
     height_m = (layers + 10) * spacing_m
@@ -21,7 +25,8 @@ def front_error(run, freezing, water_c=0.0, layers=14, spacing_m=0.01, depth=10,
         *freezing.settings(),
         f"heat.speedup={freezing.time(layers * spacing_m) / seconds!r}",
         f"fluid.spacing_m={spacing_m!r}",
-        f"blocks=[{{min_m: [-0.04, -0.04, 0], max_m: [0.04, 0.04, {height_m!r}], celsius: {water_c!r}}}]",
+        f"blocks=[{{min_m: [-0.04, -0.04, 0], max_m: [0.04, 0.04, {height_m!r}], "
+        f"celsius: {water_c!r}}}]",
     ]
     end = run("stefan", duration_s=seconds, sets=sets)
     series = end.series
@@ -94,7 +99,9 @@ def stefan_1(run):
 
 @case()
 def stefan_superheat(run):
-    """a front of real ice below water of 5 degrees, and of the same with expansion at a Stefan number of 1"""
+    """a front of real ice below water of 5 degrees, and of the same with expansion at a Stefan
+    number of 1
+    """
     real, _ = front_error(run, known_ice.Freezing(water_c=5.0), 5.0)
     alike, _ = front_error(run, known_ice.alike(1.0, 5.0, 917.0), 5.0)
     checks = front_checks(real, 2.0)
@@ -140,10 +147,11 @@ def insulated_splash(run):
 
 
 def volume(run, time_s):
-    """Height of the centre of mass above the lowest particle, to which the volume of what fills a basin is proportional.
+    """Height of the centre of mass above the lowest particle, to which the volume of what fills a
+    basin is proportional.
 
-    The lowest layer lies half a spacing above the floor whatever it is, so the height above the floor would count its
-    half layer as one that does not swell.
+    The lowest layer lies half a spacing above the floor whatever it is, so the height above the
+    floor would count its half layer as one that does not swell.
     """
     frame = np.argmin(np.abs(run.series["time_s"] - time_s))
     return run.series["mean_z_m"][frame] - run.series["min_z_m"][frame]
@@ -175,7 +183,8 @@ def freeze_thaw_100(run):
     """a basin freezes and thaws a hundred times: water, heat and volume return"""
     cycles, period_s = 100, 4.0
     schedule = ", ".join(
-        f"{{at_s: {k * period_s + 0.5!r}, celsius: -40}}, {{at_s: {k * period_s + 2.25!r}, celsius: 40}}"
+        f"{{at_s: {k * period_s + 0.5!r}, celsius: -40}}, "
+        f"{{at_s: {k * period_s + 2.25!r}, celsius: 40}}"
         for k in range(cycles)
     )
     end = run("freeze_thaw", duration_s=cycles * period_s, sets=[f"schedule=[{schedule}]"])

@@ -1,4 +1,6 @@
-"""Cases of rigid ice: how deep it floats, how it spins, lands and lies, and what freezing does to momenta."""
+"""Cases of rigid ice: how deep it floats, how it spins, lands and lies, and what freezing does to
+momenta.
+"""
 
 import math
 
@@ -19,9 +21,10 @@ def ice_spacing_m(run, ratio=RATIO):
 def floating(run, scene, half_m, ratio=RATIO, sets=()):
     """Share of a floating body below the water.
 
-    Scored by the level at which the water stands away from the body and from the walls. The level that the volumes of
-    water and body would have is reported: water is a little compressed and ordered by walls, and what that takes from the
-    volume of a whole basin counts against a body of a tenth of it.
+    Scored by the level at which the water stands away from the body and from the walls. The level
+    that the volumes of water and body would have is reported: water is a little compressed and
+    ordered by walls, and what that takes from the volume of a whole basin counts against a body of
+    a tenth of it.
     """
     end = run(scene, sets=[*sets, f"ice.density_ratio={ratio!r}"])
     p, d = end.particles, end.spacing_m
@@ -47,7 +50,9 @@ def floating(run, scene, half_m, ratio=RATIO, sets=()):
 
 @case(long=True)
 def floating_box(run):
-    """a box of ice floats with 0.917 of its volume under water, at two resolutions and another density"""
+    """a box of ice floats with 0.917 of its volume under water, at two resolutions and another
+    density
+    """
     return [
         *floating(run, "floating_box", 0.1133),
         *floating(run, "floating_box", 0.1133, sets=["fluid.spacing_m=0.014"]),
@@ -75,7 +80,8 @@ def vectors(run, name, unit):
 
 
 def whole_spin(run):
-    """Angular momentum and energy of one body in kg m2/s and J, by frame, with what its particles have of their own.
+    """Angular momentum and energy of one body in kg m2/s and J, by frame, with what its particles
+    have of their own.
 
     A particle of a body is a ball of half a spacing, whose spin no position and no velocity shows.
     """
@@ -222,8 +228,8 @@ def freeze_in_flight(run):
             momentum_drift(end, before, after, end.lattice_kg),
             1e-3,
         ),
-        # Of the particles' paths: what a piece has in the spins of its particles is missing, 0.1 m d^2 each. test/core
-        # counts it in, and there angular momentum stays to the bound of 1e-3.
+        # Of the particles' paths: what a piece has in the spins of its particles is missing, 0.1 m
+        # d^2 each. test/core counts it in, and there angular momentum stays to the bound of 1e-3.
         reported("angular momentum gained or lost in freezing", turned(before, after)),
         at_most(
             "fastest particle after freezing, of that before",

@@ -1,4 +1,6 @@
-"""The cases with known answers: each runs scenes of config/scenes/verification and states measured against bound."""
+"""The cases with known answers: each runs scenes of config/scenes/verification and states measured
+against bound.
+"""
 
 import math
 
@@ -28,7 +30,9 @@ def mean_height(run):
 
 
 def landing(run, drop_m, surface_m, frame_s):
-    """Frames between the one in which the lowest particle touches and the time at which a stone would."""
+    """Frames between the one in which the lowest particle touches and the time at which a stone
+    would.
+    """
     touches = run.series["min_z_m"] <= surface_m + 0.5 * run.spacing_m + 1e-5
     time = run.series["time_s"][np.argmax(touches)] if touches.any() else math.inf
     return at_most(
@@ -88,7 +92,7 @@ def still(run, since_s):
 
 
 def pressure_error(run):
-    """Of particles further than the support radius from walls and surface, by the final pressures."""
+    """Of particles further than the support radius from walls and surface, at the end."""
     if "pressure_pa" not in run.particles:
         return reported(
             "interior pressure against rho g depth (no pressure_pa in --particles)", math.nan, "%"
@@ -139,10 +143,12 @@ def pool_at_rest(run):
 
 
 def dam_front(run, scene, ratio, inches, experiments):
-    """Front x / a over T, leading particle's centre plus half a spacing, against each experiment for T in 1.2 to 4.
+    """Front x / a over T, leading particle's centre plus half a spacing, against each experiment
+    for T in 1.2 to 4.
 
-    In the experiment the membrane takes a while to give way, here nothing holds the water back. The delay is taken
-    from where the foot was just before the scored time, so that nothing that is scored decides it.
+    In the experiment the membrane takes a while to give way, here nothing holds the water back. The
+    delay is taken from where the foot was just before the scored time, so that nothing that is
+    scored decides it.
     """
     end, width = run(scene), inches * INCH_M
     time = known.martin_moyce_time(end.series["time_s"], width, ratio)

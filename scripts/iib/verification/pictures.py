@@ -72,7 +72,7 @@ def swing(run, path):
 
 
 def column(run, path):
-    """Pressure over depth, once run_scene writes it, and the energy of water that should be still."""
+    """Pressure over depth, and the speed of water that should be still."""
     end = run("hydrostatic_column")
     drawing, (left, right) = figure(2)
     p = end.particles
