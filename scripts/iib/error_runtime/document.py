@@ -169,9 +169,9 @@ def conclusions(results):
     names = [result.study.scene for result in water]
     judged = (
         f"Each setting is judged by the worst of {', '.join(names[:-1])} and {names[-1]}; those "
-        f"with which energy rises without work by more than {percent(choices.MAX_ENERGY_RISE)} % are "
-        "left out. Real time holds at any frame rate: a viewer at 30 fps shows every second frame of "
-        "1/60 s."
+        "with which energy rises without work by more than "
+        f"{percent(choices.MAX_ENERGY_RISE)} % are left out. Real time holds at any frame rate: "
+        "a viewer at 30 fps shows every second frame of 1/60 s."
     )
     tables = [counts_table(settings, keys), targets_table(settings, keys, names)]
     return "\n\n".join([advice(settings, keys), judged, *tables]) + "\n"

@@ -21,9 +21,7 @@ WATER = (
 
 @dataclasses.dataclass
 class Study:
-    """grids: axes per grid, of which the points are joined; an axis that the program lacks is left
-    out.
-    """
+    """grids: axes per grid, all points joined; axes that the program lacks are left out."""
 
     name: str
     scene: str

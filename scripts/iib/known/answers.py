@@ -1,6 +1,4 @@
-"""Answers that are known without a simulation: closed forms, differential equations, measurements.
-SI units.
-"""
+"""Closed forms, differential equations and measurements of water. SI units."""
 
 import math
 
@@ -111,9 +109,7 @@ MARTIN_MOYCE = {
 
 
 def symplectic_fall(start, velocity, time, step, gravity=-GRAVITY_M_S2):
-    """Height of a body in free fall as symplectic Euler steps it: exact, so rounding is all that
-    may be left.
-    """
+    """Height in free fall as symplectic Euler steps it: exact up to rounding."""
     return start + velocity * time + 0.5 * gravity * time * (time + step)
 
 
@@ -160,9 +156,7 @@ def elliptical_patch(rate, times, steps_per_unit=4000):
 
 
 def standing_wave_period(length, depth):
-    """Of the first sideways swing of water in a tank: half a wave between its walls (linear
-    theory).
-    """
+    """Of the first sideways mode of water in a tank: half a wave (linear theory)."""
     wave_number = math.pi / length
     return 2 * math.pi / math.sqrt(GRAVITY_M_S2 * wave_number * math.tanh(wave_number * depth))
 

@@ -1,6 +1,4 @@
-"""Closed forms of water that freezes and of ice that floats, and how levels are read off particles.
-SI units.
-"""
+"""Closed forms of freezing water and floating ice, and levels of particles. SI units."""
 
 import dataclasses
 import math

@@ -1,6 +1,4 @@
-"""Just inside and just outside each end of the range of every key: run there, refused here, and by
-name.
-"""
+"""Values just inside each range, which run, and just outside, which are refused by name."""
 
 import dataclasses
 
@@ -11,8 +9,9 @@ FRAMES_S = 0.05
 
 @dataclasses.dataclass
 class Probe:
-    """A value at or beyond an end. Another rule may forbid what the range allows; it has to name
-    the key too.
+    """A value at or beyond an end.
+
+    Another rule may forbid what the range allows; it has to name the key too.
     """
 
     key: str

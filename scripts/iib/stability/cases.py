@@ -49,9 +49,7 @@ def case(number=0, rise=MOST_RISE, because=""):
 
 
 class Runs:
-    """The runs of one case. Each that was not to be refused has to stay finite and keep what it
-    holds inside.
-    """
+    """The runs of one case; all but the refused ones have to stay finite and contained."""
 
     def __init__(self, runner):
         self.runner, self.outcomes, self.refusals = runner, [], []

@@ -1,6 +1,4 @@
-"""Cases that a scene file cannot say, as a test program runs them: its figures become lines of the
-same table.
-"""
+"""Cases that a scene file cannot express: figures of a test program, for the same table."""
 
 import json
 import pathlib

@@ -142,9 +142,7 @@ TABLES = {
 
 
 def write(folders):
-    """Replaces what stands between the markers of each part that a folder holds; of several, by the
-    last that does.
-    """
+    """Replaces every part that a folder holds; the last folder counts."""
     text, pictures = DOCUMENT.read_text(), {}
     for folder in folders:
         for part, found in kept(folder).items():

@@ -1,6 +1,4 @@
-"""Shipped scenes at few and many substeps: the energy that rises without work, with and without its
-elastic part.
-"""
+"""Shipped scenes at few and many substeps: the energy that rises without work."""
 
 import dataclasses
 
@@ -15,8 +13,9 @@ DURATION_S = 2.0
 
 @dataclasses.dataclass
 class Balance:
-    """Rises relative to what the fall sets free. mechanical: of kinetic and potential energy alone;
-    lived: finite, inside.
+    """Rises relative to what the fall sets free.
+
+    mechanical: of kinetic and potential energy alone; lived: finite, inside.
     """
 
     scene: str

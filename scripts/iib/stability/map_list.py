@@ -102,9 +102,7 @@ def compliance_map():
 
 
 def jump_map():
-    """The ends are those of temperatures: a jump from 5 down to -273.15 or from -5 up to 1000
-    degrees.
-    """
+    """From 5 down to -273.15, or from -5 up to 1000 degrees: the ends of temperatures."""
 
     def row(name, scene, start_c, sign, highest, sets=()):
         def all_sets(size):
@@ -155,9 +153,7 @@ def density_ratio_map():
 
 
 def scaled_splash(spacing_m):
-    """The splash at another size, its floor below the origin so that the largest is within 100 m of
-    it.
-    """
+    """The splash at another size; its floor keeps the largest within 100 m of the origin."""
     s = spacing_m / CALM_SPACING_M
     low, high, size, floor = (
         "[" + ", ".join(f"{s * x:.9g}" for x in corner) + "]"

@@ -1,6 +1,4 @@
-"""The range of every key, read from what `run_scene --defaults` prints, so that no second list can
-differ from it.
-"""
+"""The range of every key, read from `run_scene --defaults`, so that there is no second list."""
 
 import dataclasses
 import re

@@ -1,6 +1,4 @@
-"""stability.json in the folder of the suite: what each part found last, with processor, commit and
-date.
-"""
+"""stability.json: what each part found last, with processor, commit and date."""
 
 import json
 import math

@@ -27,9 +27,7 @@ MOST_MEMORY_BYTES = 8 << 30  # so that no case takes the machine with it
 
 @dataclasses.dataclass(frozen=True)
 class Asked:
-    """What to run; scene is a file of config/scenes/stability, or a path or name that run_scene
-    knows.
-    """
+    """What to run; scene: of config/scenes/stability, or what run_scene takes."""
 
     scene: str
     sets: tuple = ()
@@ -93,9 +91,7 @@ class Outcome:
 
 
 class Runner:
-    """program: path of run_scene; out: folder of the suite; runs are asked for from several
-    threads.
-    """
+    """program: path of run_scene; out: folder of the suite. For several threads."""
 
     def __init__(self, program, out, timeout_s=120.0):
         self.program, self.timeout_s = str(program), timeout_s

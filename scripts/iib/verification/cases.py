@@ -18,10 +18,10 @@ CASES = {}
 
 
 def case(long=False):
-    """Registers a function; the first line of its docstring is the meaning of the case."""
+    """Registers a function; the first paragraph of its docstring is the meaning of the case."""
 
     def register(function):
-        meaning = function.__doc__.splitlines()[0]
+        meaning = " ".join(function.__doc__.split("\n\n")[0].split())
         CASES[function.__name__] = Case(function.__name__, function, meaning, long)
         return function
 

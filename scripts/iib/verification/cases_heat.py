@@ -1,6 +1,4 @@
-"""Cases of heat: fronts of ice, enthalpy that stays, volume that freezing adds and melting takes
-back.
-"""
+"""Cases of heat: fronts of ice, conserved enthalpy, the volume of freezing and melting."""
 
 import math
 

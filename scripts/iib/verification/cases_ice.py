@@ -1,6 +1,4 @@
-"""Cases of rigid ice: how deep it floats, how it spins, lands and lies, and what freezing does to
-momenta.
-"""
+"""Cases of rigid ice: floating, rotation, landing, rest, and momenta in freezing."""
 
 import math
 

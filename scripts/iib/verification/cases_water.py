@@ -1,6 +1,4 @@
-"""The cases with known answers: each runs scenes of config/scenes/verification and states measured
-against bound.
-"""
+"""Cases of water: free fall, rest, dams, the elliptical patch, impacts, sloshing."""
 
 import math
 
@@ -30,9 +28,7 @@ def mean_height(run):
 
 
 def landing(run, drop_m, surface_m, frame_s):
-    """Frames between the one in which the lowest particle touches and the time at which a stone
-    would.
-    """
+    """Frames between the touch of the lowest particle and the landing of a stone."""
     touches = run.series["min_z_m"] <= surface_m + 0.5 * run.spacing_m + 1e-5
     time = run.series["time_s"][np.argmax(touches)] if touches.any() else math.inf
     return at_most(
