@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every bad request to every service names what is wrong and what is allowed, and changes nothing."""
+"""Every bad request names what is wrong and what is allowed, and changes nothing."""
 import math
 import pathlib
 import sys
