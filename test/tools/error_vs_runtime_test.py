@@ -34,7 +34,8 @@ with log.open("a") as file: file.write(f"{substeps}\\n")
 time.sleep(float(keys.get("sleep", 0)))
 unstable = substeps == 1
 report = dict(particles=1000, springs=0, simulated_time_s=1.0, frames=60,
-              wall_time_s=0.01 * substeps, max_speed_m_s=1.0, rms_speed_m_s=0.5, residual_speed_m_s=0.5, state_hash="0" * 16,
+              wall_time_s=0.01 * substeps, state_hash="0" * 16,
+              max_speed_m_s=1.0, rms_speed_m_s=0.5, residual_speed_m_s=0.5,
               threads=2, precision="float", preset="default",
               error=dict(density_mean=0.08 / substeps, density_max=0.8 / substeps,
                          energy_rise=0.001),

@@ -26,7 +26,7 @@ class KnownIce(unittest.TestCase):
         self.assertAlmostEqual(ice.time(ice.front(600.0)), 600.0, 6)
 
     def test_lifted_water_satisfies_the_balance_at_the_front(self):
-        """The similarity solution in its own equations, by differences, for ice of other density."""
+        """The similarity solution in its own equations, by differences, at another density."""
         ice = known_ice.alike(1.0, 5.0, 917.0)
         ratio, time = 0.917, 1000.0
         front, alpha = float(ice.front(time)), 2.0 / (1000.0 * 2000.0)
