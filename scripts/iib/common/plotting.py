@@ -3,4 +3,4 @@
 import matplotlib
 
 matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402, F401
+from matplotlib import pyplot  # noqa: F401
