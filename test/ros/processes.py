@@ -7,15 +7,14 @@ import sys
 import time
 import unittest
 
-import roslib.packages
 import yaml
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 from iib.common.processes import free_port
 from iib.ros import master
+from iib.ros.program import find_simulation_node
 
-# As roslaunch finds it; rosrun overlooks a build below build/ and asks which, where there are two.
-SIMULATION_NODE = roslib.packages.find_node('ice_ice_baby', 'simulation_node')[0]
+SIMULATION_NODE = find_simulation_node()
 SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'scenes')
 
 

@@ -1,22 +1,27 @@
 """A running simulation node seen from outside: services, latest messages, waiting, memory."""
 
+import sys
 import time
 import xmlrpc.client
 
 import rosgraph
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
-from ice_ice_baby.srv import (
-    ApplyHeat,
-    GetState,
-    Load,
-    Reset,
-    Save,
-    SetGravity,
-    SetTemperature,
-    Step,
-)
 from std_srvs.srv import Trigger
+
+try:
+    from ice_ice_baby.srv import (
+        ApplyHeat,
+        GetState,
+        Load,
+        Reset,
+        Save,
+        SetGravity,
+        SetTemperature,
+        Step,
+    )
+except ModuleNotFoundError:
+    sys.exit("no messages of ice_ice_baby; run scripts/build, then source build/devel/setup.bash")
 
 TYPES = {
     "get_state": GetState,

@@ -9,6 +9,7 @@ import rospy
 from iib.common.processes import end, free_port
 from iib.ros import master
 from iib.ros.node import Node, process_of
+from iib.ros.program import find_simulation_node
 
 
 class OwnNode:
@@ -56,7 +57,7 @@ class OwnNode:
     def _start_node(self, parameters):
         for name, value in parameters.items():
             rospy.set_param(self.name + "/" + name, value)
-        self._start("rosrun", "ice_ice_baby", "simulation_node", "__name:=" + self.name[1:])
+        self._start(find_simulation_node(), "__name:=" + self.name[1:])
         self.node = Node(self.name)
         self.pid = process_of(self.name)
 
