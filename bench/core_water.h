@@ -1,8 +1,8 @@
 // Settled water in the solver's own arrays.
 #pragma once
 
-#include "ice_ice_baby/neighbours.h"
-#include "ice_ice_baby/particles.h"
+#include "particles/neighbours.h"
+#include "particles/particles.h"
 #include "settled_water.h"
 
 namespace ice_ice_baby::bench {

@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "core_water.h"
-#include "ice_ice_baby/density_constraint.h"
-#include "ice_ice_baby/viscosity.h"
+#include "fluid/density_constraint.h"
+#include "fluid/viscosity.h"
 #include "measure.h"
 #include "water_scenes.h"
 
@@ -37,7 +37,7 @@ void correction(benchmark::State& state) {
 void viscosity(benchmark::State& state) {
   const Scene scene = floatingWater(1);
   Viscosity<float> stage(scene, particleVolume_m3(scene.fluid, scene.supportRadius_m()));
-  PackedRows<float> rows;
+  PackedXyzw<float> rows;
   runPass(state, [&](CoreWater& w) { stage.apply(w.particles, w.neighbours, 1.0 / 480, rows); });
 }
 

@@ -28,12 +28,14 @@ constexpr double kMaxCoordinate_m = 100.0;
 enum class Preset { kDefault, kPaper };
 enum class KernelPair { kCubic, kPoly6Spiky };
 enum class Quality { kFast, kBalanced, kAccurate };
-enum class WallHeat { kInsulated, kTemperature, kFlux };
+enum class ThermalBoundary { kInsulated, kTemperature, kFlux };
 
 inline std::vector<std::string> choices(Preset) { return {"default", "paper"}; }
 inline std::vector<std::string> choices(KernelPair) { return {"cubic", "poly6_spiky"}; }
 inline std::vector<std::string> choices(Quality) { return {"fast", "balanced", "accurate"}; }
-inline std::vector<std::string> choices(WallHeat) { return {"insulated", "temperature", "flux"}; }
+inline std::vector<std::string> choices(ThermalBoundary) {
+  return {"insulated", "temperature", "flux"};
+}
 
 struct FluidParams {
   double spacing_m = 0.0211;
@@ -42,7 +44,7 @@ struct FluidParams {
   double particle_mass_kg = 0.0;
   KernelPair kernel = KernelPair::kCubic;
   bool self_density = true;
-  bool wall_density = true;
+  bool boundary_density = true;
 };
 
 template <class Visitor>
@@ -59,7 +61,7 @@ void describe(FluidParams& p, Visitor&& visit) {
   visit("kernel", p.kernel,
         "cubic: one spline for the density and its own gradient; poly6_spiky: the paper's pair");
   visit("self_density", p.self_density, "whether a particle counts in its own density");
-  visit("wall_density", p.wall_density,
+  visit("boundary_density", p.boundary_density,
         "whether walls and colliders count in the density, so that particles do not stack there");
 }
 
@@ -157,24 +159,24 @@ void describe(SpringParams& p, Visitor&& visit) {
         "frozen water slower than this for half a second sleeps until something changes; 0: never");
 }
 
-struct HeatParams {
+struct ThermalParams {
   bool enabled = false;
   double speedup = 1.0;
   double freezing_c = 0.0;
   double hysteresis_c = 0.2;
   double boiling_c = 100.0;
-  double fusion_j_kg = 334e3;
-  double vaporisation_j_kg = 2.26e6;
-  double ice_capacity_j_kgk = 2050.0;
-  double water_capacity_j_kgk = 4186.0;
-  double steam_capacity_j_kgk = 2010.0;
+  double latent_heat_fusion_j_kg = 334e3;
+  double latent_heat_vaporisation_j_kg = 2.26e6;
+  double ice_specific_heat_j_kgk = 2050.0;
+  double water_specific_heat_j_kgk = 4186.0;
+  double steam_specific_heat_j_kgk = 2010.0;
   double ice_conductivity_w_mk = 2.22;
   double water_conductivity_w_mk = 0.58;
-  double air_transfer_w_m2k = 20.0;
+  double air_heat_transfer_w_m2k = 20.0;
 };
 
 template <class Visitor>
-void describe(HeatParams& p, Visitor&& visit) {
+void describe(ThermalParams& p, Visitor&& visit) {
   visit("enabled", p.enabled,
         "whether every particle has a temperature of its own, freezes into rigid ice and melts; "
         "false: one temperature for the whole scene, as the paper has it");
@@ -185,15 +187,20 @@ void describe(HeatParams& p, Visitor&& visit) {
   visit("hysteresis_c", p.hysteresis_c, Range{0.0, 10.0},
         "water turns rigid this far below freezing_c and ice comes loose this far above");
   visit("boiling_c", p.boiling_c, Range{1.0, 900.0}, "where water boils; above freezing_c");
-  visit("fusion_j_kg", p.fusion_j_kg, Range{1.0, 1e8}, "latent heat of freezing");
-  visit("vaporisation_j_kg", p.vaporisation_j_kg, Range{1.0, 1e9}, "latent heat of boiling");
-  visit("ice_capacity_j_kgk", p.ice_capacity_j_kgk, Range{1.0, 1e6}, "heat capacity of ice");
-  visit("water_capacity_j_kgk", p.water_capacity_j_kgk, Range{1.0, 1e6}, "heat capacity of water");
-  visit("steam_capacity_j_kgk", p.steam_capacity_j_kgk, Range{1.0, 1e6}, "heat capacity of steam");
+  visit("latent_heat_fusion_j_kg", p.latent_heat_fusion_j_kg, Range{1.0, 1e8},
+        "latent heat of freezing");
+  visit("latent_heat_vaporisation_j_kg", p.latent_heat_vaporisation_j_kg, Range{1.0, 1e9},
+        "latent heat of boiling");
+  visit("ice_specific_heat_j_kgk", p.ice_specific_heat_j_kgk, Range{1.0, 1e6},
+        "heat capacity of ice");
+  visit("water_specific_heat_j_kgk", p.water_specific_heat_j_kgk, Range{1.0, 1e6},
+        "heat capacity of water");
+  visit("steam_specific_heat_j_kgk", p.steam_specific_heat_j_kgk, Range{1.0, 1e6},
+        "heat capacity of steam");
   visit("ice_conductivity_w_mk", p.ice_conductivity_w_mk, Range{0.0, 1e4}, "conductivity of ice");
   visit("water_conductivity_w_mk", p.water_conductivity_w_mk, Range{0.0, 1e4},
         "conductivity of water");
-  visit("air_transfer_w_m2k", p.air_transfer_w_m2k, Range{0.0, 1e6},
+  visit("air_heat_transfer_w_m2k", p.air_heat_transfer_w_m2k, Range{0.0, 1e6},
         "heat transfer between a free surface and the air; 0: insulated");
 }
 
@@ -225,8 +232,8 @@ void describe(IceParams& p, Visitor&& visit) {
 struct SteamParams {
   double rise_speed_m_s = 0.5;
   double drag_1_s = 10.0;
-  double transfer_w_m2k = 10.0;
-  double condensation_w_m2k = 5000.0;
+  double heat_transfer_w_m2k = 10.0;
+  double condensation_heat_transfer_w_m2k = 5000.0;
 };
 
 template <class Visitor>
@@ -234,9 +241,9 @@ void describe(SteamParams& p, Visitor&& visit) {
   visit("rise_speed_m_s", p.rise_speed_m_s, Range{0.0, 100.0},
         "at which steam rises in still air, on average over its puffs");
   visit("drag_1_s", p.drag_1_s, Range{0.01, 1e4}, "rate at which it takes on that speed");
-  visit("transfer_w_m2k", p.transfer_w_m2k, Range{0.0, 1e6},
+  visit("heat_transfer_w_m2k", p.heat_transfer_w_m2k, Range{0.0, 1e6},
         "heat transfer between a puff of steam and the air");
-  visit("condensation_w_m2k", p.condensation_w_m2k, Range{0.0, 1e6},
+  visit("condensation_heat_transfer_w_m2k", p.condensation_heat_transfer_w_m2k, Range{0.0, 1e6},
         "heat transfer between steam and a wall that it touches");
 }
 

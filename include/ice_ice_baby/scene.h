@@ -8,8 +8,8 @@
 
 namespace ice_ice_baby {
 
-enum class BlockShape { kBox, kBall, kCylinder };
-inline std::vector<std::string> choices(BlockShape) { return {"box", "ball", "cylinder"}; }
+enum class BlockShape { kBox, kSphere, kCylinder };
+inline std::vector<std::string> choices(BlockShape) { return {"box", "sphere", "cylinder"}; }
 
 /// Water on a cubic lattice that fills a box, or the ball or upright cylinder that touches all
 /// sides of it (an ellipsoid or an elliptic cylinder where they differ), then turned with its
@@ -21,7 +21,7 @@ struct Block {
   Vec3d rpy_deg = Vec3d::Zero();
   Vec3d velocity_m_s = Vec3d::Zero();
   Mat3<double> velocity_gradient_1_s = Mat3<double>::Zero();  ///< row: of one velocity component
-  Vec3d spin_rad_s = Vec3d::Zero();
+  Vec3d angular_velocity_rad_s = Vec3d::Zero();
   double celsius = 20.0;  ///< below freezing it starts as one body of ice; only with heat
   bool sheet = false;
   Vec3d copies = Vec3d::Ones();         ///< along x, y, z; the reader makes blocks of them
@@ -32,7 +32,7 @@ struct Block {
   /// Velocity with which water at `point_m` starts.
   Vec3d velocityAt(const Vec3d& point_m) const {
     const Vec3d arm = point_m - centre_m();
-    return velocity_m_s + velocity_gradient_1_s * arm + spin_rad_s.cross(arm);
+    return velocity_m_s + velocity_gradient_1_s * arm + angular_velocity_rad_s.cross(arm);
   }
 };
 
@@ -47,7 +47,7 @@ struct Collider {
   double friction = 0.05;
   double opacity = 0.2;
   std::string follow_frame;
-  WallHeat heat = WallHeat::kInsulated;
+  ThermalBoundary heat = ThermalBoundary::kInsulated;
   double celsius = 20.0;   ///< of its surface, where heat is kTemperature
   double flux_w_m2 = 0.0;  ///< into the water, where heat is kFlux
 
@@ -97,7 +97,7 @@ struct Scene {
   SolverParams solver;
   TemperatureParams temperature;
   SpringParams springs;
-  HeatParams heat;
+  ThermalParams thermal;
   IceParams ice;
   SteamParams steam;
   LimitParams limits;
@@ -121,21 +121,6 @@ struct Scene {
 
 constexpr Range kGravityRange_m_s2{-1e4, 1e4};
 constexpr Range kCoordinateRange_m{-kMaxCoordinate_m, kMaxCoordinate_m};
-
-/// Lattice points along the axes of the box of `block` at spacing `spacing_m`.
-/// Spawn position of the first is half a spacing inside `min_m`; a sheet is one layer thick.
-Eigen::Array<std::int64_t, 3, 1> latticeSize(const Block& block, double spacing_m);
-
-/// Lattice points first ... last - 1 along x.
-struct LatticeRow {
-  std::int64_t first = 0;
-  std::int64_t last = 0;
-};
-
-/// Points of row `y`, `z` of the lattice that lie within the shape of the block, its rim included.
-/// @param size latticeSize of the block
-LatticeRow latticeRow(const Block& block, double spacing_m,
-                      const Eigen::Array<std::int64_t, 3, 1>& size, std::int64_t y, std::int64_t z);
 
 /// Particles that the scene spawns. A ball or a cylinder in a box of more than four times
 /// limits.max_particles counts as the whole box: the scene holds too many either way.

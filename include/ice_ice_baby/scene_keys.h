@@ -14,8 +14,9 @@ void describe(TemperatureEvent& e, Visitor&& visit) {
 
 template <class Visitor>
 void describe(Block& b, Visitor&& visit) {
-  visit("shape", b.shape,
-        "the whole box from min_m to max_m, or the ball or upright cylinder that just fits in it");
+  visit(
+      "shape", b.shape,
+      "the whole box from min_m to max_m, or the sphere or upright cylinder that just fits in it");
   visit("min_m", b.min_m, kCoordinateRange_m, "lower corner");
   visit("max_m", b.max_m, kCoordinateRange_m, "upper corner");
   visit("rpy_deg", b.rpy_deg, Range{-360.0, 360.0},
@@ -23,9 +24,10 @@ void describe(Block& b, Visitor&& visit) {
   visit("velocity_m_s", b.velocity_m_s, Range{-1e3, 1e3}, "velocity of the centre at the start");
   visit("velocity_gradient_1_s", b.velocity_gradient_1_s, Range{-1e3, 1e3},
         "added velocity per metre from the centre: rows of vx, vy, vz, columns along x, y, z");
-  visit("spin_rad_s", b.spin_rad_s, Range{-1e3, 1e3}, "added rotation about the centre");
+  visit("angular_velocity_rad_s", b.angular_velocity_rad_s, Range{-1e3, 1e3},
+        "added rotation about the centre");
   visit("celsius", b.celsius, kTemperatureRange_c,
-        "temperature at the start, with heat.enabled: below heat.freezing_c a body of ice");
+        "temperature at the start, with thermal.enabled: below thermal.freezing_c a body of ice");
   visit("sheet", b.sheet,
         "one layer of particles joined by springs that bend, neither stretch nor melt");
   visit("copies", b.copies, Range{1.0, 1000.0},
@@ -44,9 +46,10 @@ void describeCollider(Collider& c, Visitor&& visit) {
   visit("friction", c.friction, Range{0.0, 10.0}, "Coulomb coefficient; 0: slippery");
   visit("opacity", c.opacity, Range{0.0, 1.0}, "in pictures; 0: invisible");
   visit("follow_frame", c.follow_frame, "tf frame that the collider moves with; \"\": it stays");
-  visit("heat", c.heat,
-        "what its surface does to the water, with heat.enabled: nothing, it has a temperature, or "
-        "it passes a flux");
+  visit(
+      "heat", c.heat,
+      "what its surface does to the water, with thermal.enabled: nothing, it has a temperature, or "
+      "it passes a flux");
   visit("celsius", c.celsius, kTemperatureRange_c, "temperature of the surface, for temperature");
   visit("flux_w_m2", c.flux_w_m2, Range{-1e7, 1e7}, "into the water, for flux; below 0 it cools");
 }
@@ -85,11 +88,11 @@ void describe(Scene& s, Visitor&& visit) {
   visit.section("fluid", s.fluid, "the particles and how their density is measured");
   visit.section("solver", s.solver, "error against run time");
   visit.section("temperature", s.temperature,
-                "one temperature for the whole scene; with heat.enabled that of the air");
+                "one temperature for the whole scene; with thermal.enabled that of the air");
   visit.section("springs", s.springs, "what freezing does; a liquid scene has no springs");
-  visit.section("heat", s.heat, "temperature of every particle, freezing fronts, boiling");
-  visit.section("ice", s.ice, "what frozen water does, with heat.enabled");
-  visit.section("steam", s.steam, "what boiled water does, with heat.enabled");
+  visit.section("thermal", s.thermal, "temperature of every particle, freezing fronts, boiling");
+  visit.section("ice", s.ice, "what frozen water does, with thermal.enabled");
+  visit.section("steam", s.steam, "what boiled water does, with thermal.enabled");
   visit.section("limits", s.limits, "guards");
   visit.list("schedule", s.schedule, "temperature over time");
   visit.list("blocks", s.blocks, "the water");

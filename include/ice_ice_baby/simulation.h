@@ -15,7 +15,7 @@ class StateWriter;
 enum class Precision { kFloat, kDouble };
 
 /// So many torches and sprays may be at work at once.
-constexpr std::size_t kMaxHeatRegions = 100;
+constexpr std::size_t kMaxHeatedRegions = 100;
 
 /// What one stage of the step has cost since the start.
 struct StageStats {
@@ -48,9 +48,9 @@ struct StepReport {
   int substeps = 0;              ///< that the frame took; 0 asleep
   double mean_celsius = 0.0;     ///< over the particles; from here on 0 without heat
   double enthalpy_j = 0.0;       ///< of all particles, 0 for ice at the freezing point
-  double heat_speedup = 0.0;     ///< seconds of heat that really passed in a simulated second
-  std::size_t bodies = 0;        ///< of rigid ice
-  std::size_t bodies_asleep = 0;
+  double thermal_speedup = 0.0;  ///< seconds of heat that really passed in a simulated second
+  std::size_t ice_bodies = 0;    ///< of rigid ice
+  std::size_t ice_bodies_asleep = 0;
   std::size_t ice_particles = 0;    ///< that belong to a body, or are joined by springs
   std::size_t steam_particles = 0;  ///< that have left the density solve
   double frame_wall_s = 0.0;        ///< time that the frame took to compute
@@ -62,8 +62,9 @@ struct StepReport {
             self.strictness, self.asleep, self.density_error_mean, self.density_error_max,
             self.kinetic_energy_j, self.potential_energy_j, self.elastic_energy_j,
             self.max_speed_m_s, self.rms_speed_m_s, self.speed_limited, self.correction_limited,
-            self.non_finite, self.substeps, self.mean_celsius, self.enthalpy_j, self.heat_speedup,
-            self.bodies, self.bodies_asleep, self.ice_particles, self.steam_particles);
+            self.non_finite, self.substeps, self.mean_celsius, self.enthalpy_j,
+            self.thermal_speedup, self.ice_bodies, self.ice_bodies_asleep, self.ice_particles,
+            self.steam_particles);
   }
 };
 
@@ -88,12 +89,12 @@ struct SpringSample {
 };
 
 /// A torch or a freezing spray: power spread evenly, by mass, over the particles in a region.
-struct HeatRegion {
-  BlockShape shape = BlockShape::kBall;  ///< kBox, or kBall: the ellipsoid that just fits in it
+struct HeatedRegion {
+  BlockShape shape = BlockShape::kSphere;  ///< kBox, or kSphere: the ellipsoid that just fits in it
   Vec3d centre_m = Vec3d::Zero();
   Vec3d size_m = Vec3d::Ones();  ///< of the box
   double power_w = 0.0;          ///< below 0 it cools; no particle leaves kTemperatureRange_c
-  double duration_s = 0.0;       ///< simulated; heat.speedup multiplies the energy as all heat
+  double duration_s = 0.0;       ///< simulated; thermal.speedup multiplies the energy as all heat
 
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive) {
@@ -122,8 +123,8 @@ class Simulation {
   virtual void setTemperature(double celsius, double ramp_s, const std::string& target = "") = 0;
 
   /// Heats or cools a region from now on. @throws InvalidInput without heat, outside the ranges of
-  /// requireHeatRegion, and when kMaxHeatRegions are at work already
-  virtual void heatRegion(const HeatRegion& region) = 0;
+  /// requireHeatedRegion, and when kMaxHeatedRegions are at work already
+  virtual void heatRegion(const HeatedRegion& region) = 0;
 
   /// @throws InvalidInput outside [-1e4, 1e4] m/s^2
   virtual void setGravity(const Vec3d& gravity_m_s2) = 0;
@@ -176,7 +177,7 @@ std::unique_ptr<Simulation> makeSimulation(const Scene& scene,
 void requireTemperature(double celsius, double ramp_s);
 void requireTarget(const Scene& scene, const std::string& target);
 /// Sizes 0 ... 200 m, power up to 1e9 W either way, duration 0 ... 1e6 s.
-void requireHeatRegion(const Scene& scene, const HeatRegion& region);
+void requireHeatedRegion(const Scene& scene, const HeatedRegion& region);
 void requireGravity(const Vec3d& gravity_m_s2);
 
 }  // namespace ice_ice_baby

@@ -15,19 +15,19 @@ void addHeat(diagnostic_updater::DiagnosticStatusWrapper& status, const Snapshot
   if (!now.heat) return;
   const StepReport& report = now.report;
   const bool watched = report.frame > 0 && !report.asleep;
-  if (watched && report.heat_speedup < kAsWanted * now.heat_speedup_wanted) {
+  if (watched && report.thermal_speedup < kAsWanted * now.thermal_speedup_wanted) {
     status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN,
-                        "heat runs " + numberText(report.heat_speedup) + " times as fast, not " +
-                            numberText(now.heat_speedup_wanted) +
-                            " times; lower heat.speedup or raise solver.substeps");
+                        "heat runs " + numberText(report.thermal_speedup) + " times as fast, not " +
+                            numberText(now.thermal_speedup_wanted) +
+                            " times; lower thermal.speedup or raise solver.substeps");
   }
   status.add("temperature, mean [degrees C]", report.mean_celsius);
   status.add("ice, share by mass", report.strictness);
-  status.add("ice bodies", report.bodies);
-  status.add("ice bodies asleep", report.bodies_asleep);
+  status.add("ice bodies", report.ice_bodies);
+  status.add("ice bodies asleep", report.ice_bodies_asleep);
   status.add("steam particles", report.steam_particles);
-  status.add("heat speed-up", report.heat_speedup);
-  status.add("heat speed-up wanted", now.heat_speedup_wanted);
+  status.add("heat speed-up", report.thermal_speedup);
+  status.add("heat speed-up wanted", now.thermal_speedup_wanted);
 }
 
 }  // namespace ice_ice_baby

@@ -19,7 +19,7 @@ struct Colour {
 };
 constexpr Colour kGlass{0.60f, 0.75f, 0.85f};
 constexpr Colour kGround{0.55f, 0.55f, 0.55f};
-constexpr Colour kBall{0.85f, 0.55f, 0.30f};
+constexpr Colour kSphere{0.85f, 0.55f, 0.30f};
 constexpr Colour kEdge{0.90f, 0.95f, 1.00f};
 constexpr Colour kSpring{0.20f, 0.45f, 0.85f};
 
@@ -61,7 +61,7 @@ class ColliderPainter {
   }
 
   void ball(double radius_m) {
-    Marker& marker = add(Marker::SPHERE, kBall, collider_.opacity);
+    Marker& marker = add(Marker::SPHERE, kSphere, collider_.opacity);
     marker.scale = vectorMessage(Vec3d::Constant(2 * radius_m));
   }
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "ice_ice_baby/particle_colour.h"
+#include "particle_colour.h"
 
 namespace ice_ice_baby {
 

@@ -13,8 +13,8 @@ namespace {
 /// @throws InvalidInput for a shape that no heated region has
 BlockShape shapeOf(const std::string& name) {
   if (name == "box") return BlockShape::kBox;
-  if (name == "ball") return BlockShape::kBall;
-  throw InvalidInput("shape = \"" + shortened(name) + "\" must be one of: box, ball");
+  if (name == "sphere") return BlockShape::kSphere;
+  throw InvalidInput("shape = \"" + shortened(name) + "\" must be one of: box, sphere");
 }
 
 }  // namespace
@@ -25,8 +25,8 @@ void requireSceneName(const std::string& name) {
   throw InvalidInput("no scene \"" + shortened(name) + "\"" + suggestion(name, names));
 }
 
-HeatRegion regionOf(const ApplyHeat::Request& request) {
-  HeatRegion region;
+HeatedRegion regionOf(const HeatRegion::Request& request) {
+  HeatedRegion region;
   region.shape = shapeOf(request.shape);
   region.centre_m = vectorOf(request.centre);
   region.size_m = vectorOf(request.size);

@@ -1,7 +1,7 @@
 // What a service request asks for, in the words of the core.
 #pragma once
 
-#include <ice_ice_baby/ApplyHeat.h>
+#include <ice_ice_baby/HeatRegion.h>
 
 #include <string>
 
@@ -14,6 +14,6 @@ namespace ice_ice_baby {
 void requireSceneName(const std::string& name);
 
 /// @throws InvalidInput for a shape that no heated region has; the numbers are not checked
-HeatRegion regionOf(const ApplyHeat::Request& request);
+HeatedRegion regionOf(const HeatRegion::Request& request);
 
 }  // namespace ice_ice_baby

@@ -16,7 +16,7 @@ namespace {
 /// What a temperature is set of, in words.
 std::string targetText(const Scene& scene, const std::string& target) {
   if (!target.empty()) return "collider " + target;
-  return scene.heat.enabled ? "air" : "the whole scene";
+  return scene.thermal.enabled ? "air" : "the whole scene";
 }
 
 std::string vectorText(const Vec3d& vector) {
@@ -58,9 +58,9 @@ bool Services::setTemperature(SetTemperature::Request& request,
   });
 }
 
-bool Services::heatRegion(ApplyHeat::Request& request, ApplyHeat::Response& response) {
+bool Services::heatRegion(HeatRegion::Request& request, HeatRegion::Response& response) {
   return answer(response, [&] {
-    const HeatRegion region = regionOf(request);
+    const HeatedRegion region = regionOf(request);
     simulation_.heatRegion(region);
     const std::string verb = region.power_w < 0.0 ? "cooling" : "heating";
     return verb + " a " + request.shape + " of " + vectorText(region.size_m) + " m about " +

@@ -2,8 +2,8 @@
 // solver.
 #pragma once
 
-#include <ice_ice_baby/ApplyHeat.h>
 #include <ice_ice_baby/GetState.h>
+#include <ice_ice_baby/HeatRegion.h>
 #include <ice_ice_baby/Reset.h>
 #include <ice_ice_baby/SetGravity.h>
 #include <ice_ice_baby/SetTemperature.h>
@@ -33,7 +33,7 @@ class Services {
 
  private:
   bool setTemperature(SetTemperature::Request& request, SetTemperature::Response& response);
-  bool heatRegion(ApplyHeat::Request& request, ApplyHeat::Response& response);
+  bool heatRegion(HeatRegion::Request& request, HeatRegion::Response& response);
   bool setGravity(SetGravity::Request& request, SetGravity::Response& response);
   bool reset(Reset::Request& request, Reset::Response& response);
   bool step(Step::Request& request, Step::Response& response);

@@ -45,8 +45,8 @@ void SimulationThread::setTemperature(double celsius, double ramp_s, const std::
   post(Kind::kChange, [=] { simulation_->setTemperature(celsius, ramp_s, target); });
 }
 
-void SimulationThread::heatRegion(const HeatRegion& region) {
-  requireHeatRegion(comingScene()->scene, region);
+void SimulationThread::heatRegion(const HeatedRegion& region) {
+  requireHeatedRegion(comingScene()->scene, region);
   post(Kind::kChange, [=] { simulation_->heatRegion(region); });
 }
 
@@ -248,8 +248,8 @@ void SimulationThread::updateSnapshot() {
   latest_.scene = scene.name;
   latest_.preset = scene.preset;
   latest_.precision = simulation_->precision();
-  latest_.heat = scene.heat.enabled;
-  latest_.heat_speedup_wanted = scene.heat.speedup;
+  latest_.heat = scene.thermal.enabled;
+  latest_.thermal_speedup_wanted = scene.thermal.speedup;
   latest_.gravity_m_s2 = scene.gravity_m_s2;
   latest_.real_time_factor = latest_.paused ? 0.0 : real_time_factor_.value();
   const std::lock_guard<std::mutex> lock(mutex_);

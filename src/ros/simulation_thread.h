@@ -23,9 +23,9 @@ struct Snapshot {
   Preset preset = Preset::kDefault;
   Precision precision = Precision::kFloat;
   Vec3d gravity_m_s2 = Vec3d::Zero();
-  bool heat = false;                   ///< whether each particle has a temperature of its own
-  double heat_speedup_wanted = 0.0;    ///< heat.speedup of the scene
-  std::vector<std::string> colliders;  ///< names
+  bool heat = false;                    ///< whether each particle has a temperature of its own
+  double thermal_speedup_wanted = 0.0;  ///< thermal.speedup of the scene
+  std::vector<std::string> colliders;   ///< names
   bool paused = false;
   double real_time_factor = 0.0;
   double simulated_s = 0.0;              ///< since the node started, over every reset
@@ -83,7 +83,7 @@ class SimulationThread {
   /// resume always work.
   /// @param target as Simulation::setTemperature has it
   void setTemperature(double celsius, double ramp_s, const std::string& target = "");
-  void heatRegion(const HeatRegion& region);
+  void heatRegion(const HeatedRegion& region);
   void setGravity(const Vec3d& gravity_m_s2);
   /// @param scene as loadScene gave it, so already valid
   void reset(const ServedScene& scene);

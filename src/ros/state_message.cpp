@@ -35,9 +35,9 @@ State stateMessage(const Snapshot& snapshot, const std_msgs::Header& header) {
   if (snapshot.heat) state.targets = snapshot.colliders;
   state.mean_temperature = report.mean_celsius;
   state.enthalpy_j = report.enthalpy_j;
-  state.heat_speedup = report.heat_speedup;
-  state.bodies = static_cast<std::uint32_t>(report.bodies);
-  state.bodies_asleep = static_cast<std::uint32_t>(report.bodies_asleep);
+  state.thermal_speedup = report.thermal_speedup;
+  state.ice_bodies = static_cast<std::uint32_t>(report.ice_bodies);
+  state.ice_bodies_asleep = static_cast<std::uint32_t>(report.ice_bodies_asleep);
   state.ice_particles = static_cast<std::uint32_t>(report.ice_particles);
   state.steam_particles = static_cast<std::uint32_t>(report.steam_particles);
   state.gravity = vectorMessage(snapshot.gravity_m_s2);

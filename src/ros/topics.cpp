@@ -95,7 +95,7 @@ void Topics::publishParticles(const Simulation& simulation, const std_msgs::Head
   news_.particles = false;
   simulation.sample(particle_samples_, stride_);
   cloud_.header = header;
-  const bool heat = simulation.scene().heat.enabled;
+  const bool heat = simulation.scene().thermal.enabled;
   const Colouring coloured = heat ? Colouring::kHeat : Colouring::kScene;
   writeCloud(particle_samples_, rgb_ ? coloured : Colouring::kPlain, cloud_);
   particles_.publish(cloud_);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "autosave.h"
-#include "error_faces.h"
-#include "frame_writer.h"
+#include "metrics/error_metrics.h"
+#include "pictures/frame_writer.h"
 #include "progress_bar.h"
 #include "series_writer.h"
 #include "stop_signal.h"
@@ -55,22 +55,22 @@ class Observers {
     if (!outputs.series.empty()) series_.emplace(outputs.series);
     if (!outputs.record.empty()) record_.emplace(outputs.record, simulation.report().particles);
     const FrameView start = view(0.0);
-    if (simulation.report().frame == 0) watches_ = watchesFor(start);
+    if (simulation.report().frame == 0) recorders_ = metricsFor(start);
     write(start);
   }
 
   void look(RunRecord& record) {
     const FrameView frame = view(record.wall_time_s);
-    for (const auto& watch : watches_) watch->add(frame);
+    for (const auto& recorder : recorders_) recorder->add(frame);
     write(frame);
     record.addSample(frame.report(), frame.error);
     record.escaped = std::max(record.escaped, simulation_.countEscaped());
   }
 
-  std::vector<ErrorFace> faces() const {
-    std::vector<ErrorFace> faces;
-    for (const auto& watch : watches_) watch->tell(faces);
-    return faces;
+  std::vector<ErrorMetric> metrics() const {
+    std::vector<ErrorMetric> metrics;
+    for (const auto& recorder : recorders_) recorder->report(metrics);
+    return metrics;
   }
 
  private:
@@ -94,7 +94,7 @@ class Observers {
   double seen_wall_s_ = 0.0;
   std::optional<SeriesWriter> series_;
   std::optional<TrajectoryRecorder> record_;
-  std::vector<std::unique_ptr<ErrorWatch>> watches_;
+  std::vector<std::unique_ptr<MetricRecorder>> recorders_;
 };
 
 }  // namespace
@@ -136,7 +136,7 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double en
     record.stopped = stop && stop->raised();
     if (record.stopped) break;
   }
-  record.faces = observers.faces();
+  record.metrics = observers.metrics();
   record.residual_speed_m_s = residual.value();
   return record;
 }

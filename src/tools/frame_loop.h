@@ -11,7 +11,7 @@ namespace ice_ice_baby {
 struct RunOutputs {
   std::string frames;  ///< folder of pictures
   double frames_hz = 30.0;
-  double sample_hz = 0.0;   ///< of series, record and faces of the error; 0: every frame
+  double sample_hz = 0.0;   ///< of series, record and metrics of the error; 0: every frame
   std::string series;       ///< CSV over time
   std::string record;       ///< .npy of every position
   std::string save;         ///< checkpoint

@@ -61,7 +61,7 @@ void RunRecord::addFrame(const StepReport& report) {
   peak_limited = std::max(peak_limited, std::size_t(report.speed_limited));
   fastest_m_s = std::max(fastest_m_s, report.max_speed_m_s);
   most_ice = std::max(most_ice, report.strictness);
-  most_bodies = std::max(most_bodies, report.bodies);
+  max_ice_bodies = std::max(max_ice_bodies, report.ice_bodies);
   most_steam = std::max(most_steam, report.steam_particles);
 }
 
@@ -121,7 +121,7 @@ void writeReport(const std::string& path, const Simulation& simulation, const Ru
   json["strictness"] = report.strictness;
   json["mean_celsius"] = report.mean_celsius;
   json["most_ice"] = record.most_ice;
-  json["most_bodies"] = record.most_bodies;
+  json["max_ice_bodies"] = record.max_ice_bodies;
   json["most_steam"] = record.most_steam;
   json["asleep"] = report.asleep;
   json["speed_limited"] = record.speed_limited;
@@ -134,8 +134,8 @@ void writeReport(const std::string& path, const Simulation& simulation, const Ru
   json["threads"] = record.threads;
   json["precision"] = record.precision;
   json["error"] = nlohmann::ordered_json::object();
-  for (const ErrorFace& face : record.faces) {
-    if (std::isfinite(face.value)) json["error"][face.name] = face.value;
+  for (const ErrorMetric& metric : record.metrics) {
+    if (std::isfinite(metric.value)) json["error"][metric.name] = metric.value;
   }
   json["settings"] = settingsOf(simulation.scene());
   json["stages"] = nlohmann::ordered_json::array();

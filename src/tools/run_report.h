@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "error_faces.h"
+#include "metrics/error_metrics.h"
 
 namespace ice_ice_baby {
 
@@ -24,11 +24,11 @@ struct RunRecord {
   double own_error_mean = 0;      ///< the same mean in the solver's own kernel
   double residual_speed_m_s = 0;  ///< root mean square over the last half second, sleep aside
   std::size_t samples = 0;
-  std::size_t escaped = 0;      ///< the most in any sample
-  double most_ice = 0.0;        ///< share by mass; from here on the most in any frame
-  std::size_t most_bodies = 0;  ///< of rigid ice
-  std::size_t most_steam = 0;   ///< particles
-  std::vector<ErrorFace> faces;
+  std::size_t escaped = 0;         ///< the most in any sample
+  double most_ice = 0.0;           ///< share by mass; from here on the most in any frame
+  std::size_t max_ice_bodies = 0;  ///< of rigid ice
+  std::size_t most_steam = 0;      ///< particles
+  std::vector<ErrorMetric> metrics;
   bool stopped = false;  ///< by somebody, before its end
 
   void addFrame(const StepReport& report);

@@ -72,7 +72,7 @@ void describeOptions(CLI::App& app, Options& o) {
       "--record", o.outputs.record,
       "write every position of every frame to this file: .npy, float32 (frame, id, xyz)");
   app.add_option("--sample-hz", o.outputs.sample_hz,
-                 "samples per simulated second of --series, --record and the faces of the error; "
+                 "samples per simulated second of --series, --record and the metrics of the error; "
                  "without it every frame");
   app.add_option("--frames", o.outputs.frames,
                  "write PNG pictures into this folder, in place of those of an earlier run");

@@ -2,8 +2,8 @@
 
 #include <charconv>
 
-#include "cloud_moments.h"
 #include "ice_ice_baby/errors.h"
+#include "metrics/cloud_moments.h"
 #include "resident_memory.h"
 
 namespace ice_ice_baby {
@@ -17,7 +17,8 @@ constexpr char kSeriesColumns[] =
     "mean_x_m,mean_y_m,mean_z_m,rms_x_m,rms_y_m,rms_z_m,momentum_x_kg_m_s,momentum_y_kg_m_s,"
     "momentum_z_kg_m_s,"
     "angular_momentum_x_kg_m2_s,angular_momentum_y_kg_m2_s,angular_momentum_z_kg_m2_s,"
-    "temperature_c,strictness,springs,mean_celsius,enthalpy_j,heat_speedup,bodies,bodies_asleep,"
+    "temperature_c,strictness,springs,mean_celsius,enthalpy_j,thermal_speedup,ice_bodies,ice_"
+    "bodies_asleep,"
     "ice_particles,steam_particles,resident_bytes\n";
 constexpr char kParticleColumns[] =
     "id,x,y,z,vx,vy,vz,density,pressure_pa,temperature_c,ice_fraction\n";
@@ -63,8 +64,9 @@ void SeriesWriter::add(const FrameView& frame) {
   }
   for (const double value :
        {report.temperature_c, report.strictness, double(report.springs), report.mean_celsius,
-        report.enthalpy_j, report.heat_speedup, double(report.bodies), double(report.bodies_asleep),
-        double(report.ice_particles), double(report.steam_particles), double(residentBytes())}) {
+        report.enthalpy_j, report.thermal_speedup, double(report.ice_bodies),
+        double(report.ice_bodies_asleep), double(report.ice_particles),
+        double(report.steam_particles), double(residentBytes())}) {
     append(row, value);
   }
   file_ << row << "\n" << std::flush;  // a run that is stopped leaves every frame it finished

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "ice_ice_baby/neighbours.h"
-#include "ice_ice_baby/particles.h"
 #include "ice_ice_baby/scene.h"
+#include "particles/neighbours.h"
+#include "particles/particles.h"
 
 namespace ice_ice_baby::test {
 

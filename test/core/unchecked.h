@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "ice_ice_baby/simulator.h"
+#include "simulation/simulator.h"
 
 namespace ice_ice_baby::test {
 

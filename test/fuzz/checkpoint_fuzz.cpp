@@ -14,8 +14,8 @@ namespace {
 
 /// Without walls, whose tables cost a second with sanitizers.
 constexpr char kScene[] = R"(
-fluid: {spacing_m: 0.05, wall_density: false}
-heat: {enabled: true}
+fluid: {spacing_m: 0.05, boundary_density: false}
+thermal: {enabled: true}
 solver: {quality: fast}
 blocks: [{min_m: [-0.1, -0.1, 0], max_m: [0.1, 0.1, 0.1], celsius: -1},
          {min_m: [-0.1, -0.1, 0.1], max_m: [0.1, 0.1, 0.2], celsius: 5}]

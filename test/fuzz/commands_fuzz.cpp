@@ -11,8 +11,8 @@ namespace {
 
 /// Without containers and balls, whose tables cost a second with sanitizers.
 constexpr char kScene[] = R"(
-fluid: {spacing_m: 0.05, wall_density: false}
-heat: {enabled: true, speedup: 1000}
+fluid: {spacing_m: 0.05, boundary_density: false}
+thermal: {enabled: true, speedup: 1000}
 solver: {quality: fast}
 blocks:
   - {min_m: [-0.1, -0.1, 0], max_m: [0.1, 0.1, 0.1], celsius: 5}
@@ -45,8 +45,8 @@ class Words {
   std::istringstream stream_;
 };
 
-HeatRegion readRegion(Words& words) {
-  HeatRegion region;
+HeatedRegion readRegion(Words& words) {
+  HeatedRegion region;
   const std::string shape = words.text();
   if (shape == "box") region.shape = BlockShape::kBox;
   if (shape == "cylinder") region.shape = BlockShape::kCylinder;

@@ -11,7 +11,7 @@ namespace {
 /// One of everything, so that every key has something to change.
 constexpr char kScene[] = R"(
 fluid: {spacing_m: 0.05}
-heat: {enabled: true}
+thermal: {enabled: true}
 schedule: [{at_s: 0.01, celsius: -5}]
 blocks: [{min_m: [-0.1, -0.1, 0.1], max_m: [0.1, 0.1, 0.3], celsius: -2}]
 containers: [{name: tank, size_m: [0.4, 0.4, 0.5]}]

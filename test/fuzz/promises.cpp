@@ -63,8 +63,8 @@ void runTwoFrames(Simulation& simulation) {
 void runIfSmall(Scene scene) {
   if (!isSmall(scene)) return;
   // The tables of walls in the density cost a second with sanitizers; heat makes them in any case.
-  scene.fluid.wall_density = false;
-  if (scene.heat.enabled) scene.containers.clear();
+  scene.fluid.boundary_density = false;
+  if (scene.thermal.enabled) scene.containers.clear();
   runTwoFrames(*makeSimulation(scene, Precision::kFloat, 1));
 }
 

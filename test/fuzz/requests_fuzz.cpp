@@ -1,4 +1,4 @@
-#include <ice_ice_baby/ApplyHeat.h>
+#include <ice_ice_baby/HeatRegion.h>
 #include <ice_ice_baby/Reset.h>
 #include <ice_ice_baby/SetGravity.h>
 #include <ice_ice_baby/SetTemperature.h>
@@ -15,8 +15,8 @@ namespace ice_ice_baby::fuzz {
 namespace {
 
 constexpr char kScene[] = R"(
-fluid: {spacing_m: 0.05, wall_density: false}
-heat: {enabled: true}
+fluid: {spacing_m: 0.05, boundary_density: false}
+thermal: {enabled: true}
 solver: {quality: fast}
 blocks: [{min_m: [-0.1, -0.1, 0], max_m: [0.1, 0.1, 0.1], celsius: -1}]
 planes: [{name: tank, heat: temperature}]
@@ -42,7 +42,7 @@ void serve(Simulation& simulation, const std::string& bytes) {
       return simulation.setTemperature(request.temperature, request.ramp_s, request.target);
     }
     case 'h':
-      return simulation.heatRegion(regionOf(read<ApplyHeat::Request>(rest)));
+      return simulation.heatRegion(regionOf(read<HeatRegion::Request>(rest)));
     case 'g':
       return simulation.setGravity(vectorOf(read<SetGravity::Request>(rest).gravity));
     case 'r': {

@@ -12,7 +12,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 from iib.ros.node import Node
 
 
-class Heat(unittest.TestCase):
+class ThermalSolver(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node('heat_test')
@@ -45,7 +45,7 @@ class Heat(unittest.TestCase):
     def test_set_temperature_refuses_targets(self):
         answer = self.node.set_temperature(temperature=-5.0, target='container')
         self.assertFalse(answer.success)
-        self.assertIn('heat.enabled', answer.message)
+        self.assertIn('thermal.enabled', answer.message)
         self.node.start('warm')
         for target in ('plat', 'air', ' ', 'x' * 5000):
             answer = self.node.set_temperature(temperature=-5.0, target=target)
@@ -76,7 +76,7 @@ class Heat(unittest.TestCase):
         self.assertEqual(self.node.run_frames(2).frame, 2)
 
     def test_heat_region_refuses(self):
-        self.assertIn('heat.enabled', self.torch().message)
+        self.assertIn('thermal.enabled', self.torch().message)
         self.node.start('warm')
         for named, changes in (('cone', {'shape': 'cone'}), ('cylinder', {'shape': 'cylinder'}),
                                ('shape', {'shape': ''}),

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "heat_status.h"
-#include "ice_ice_baby/particle_colour.h"
 #include "ice_ice_baby/scene_loader.h"
 #include "markers.h"
 #include "particle_cloud.h"
+#include "particle_colour.h"
 #include "state_message.h"
 
 namespace ice_ice_baby {
@@ -207,15 +207,15 @@ TEST(StateMessage, CarriesTheReport) {
 Snapshot freezingPond() {
   Snapshot snapshot;
   snapshot.heat = true;
-  snapshot.heat_speedup_wanted = 100.0;
+  snapshot.thermal_speedup_wanted = 100.0;
   snapshot.colliders = {"floor", "lid"};
   snapshot.report.frame = 5;
   snapshot.report.strictness = 0.25;
   snapshot.report.mean_celsius = 1.5;
   snapshot.report.enthalpy_j = 4e6;
-  snapshot.report.heat_speedup = 100.0;
-  snapshot.report.bodies = 3;
-  snapshot.report.bodies_asleep = 2;
+  snapshot.report.thermal_speedup = 100.0;
+  snapshot.report.ice_bodies = 3;
+  snapshot.report.ice_bodies_asleep = 2;
   snapshot.report.ice_particles = 40;
   snapshot.report.steam_particles = 7;
   return snapshot;
@@ -227,9 +227,9 @@ TEST(StateMessage, TellsOfHeat) {
   EXPECT_EQ(state.targets, (std::vector<std::string>{"floor", "lid"}));
   EXPECT_EQ(state.mean_temperature, 1.5);
   EXPECT_EQ(state.enthalpy_j, 4e6);
-  EXPECT_EQ(state.heat_speedup, 100.0);
-  EXPECT_EQ(state.bodies, 3u);
-  EXPECT_EQ(state.bodies_asleep, 2u);
+  EXPECT_EQ(state.thermal_speedup, 100.0);
+  EXPECT_EQ(state.ice_bodies, 3u);
+  EXPECT_EQ(state.ice_bodies_asleep, 2u);
   EXPECT_EQ(state.ice_particles, 40u);
   EXPECT_EQ(state.steam_particles, 7u);
 }
@@ -248,7 +248,7 @@ TEST(HeatStatus, SaysNothingWithoutHeat) {
   Status status;
   Snapshot snapshot = freezingPond();
   snapshot.heat = false;
-  snapshot.report.heat_speedup = 0.0;
+  snapshot.report.thermal_speedup = 0.0;
   addHeat(status, snapshot);
   EXPECT_TRUE(status.values.empty());
   EXPECT_EQ(status.level, Status::OK);
@@ -260,18 +260,18 @@ TEST(HeatStatus, WarnsWhereHeatIsSlowerThanAsked) {
   addHeat(status, snapshot);
   EXPECT_EQ(status.level, Status::OK);
   EXPECT_EQ(status.values.size(), 7u);
-  snapshot.report.heat_speedup = 40.0;
+  snapshot.report.thermal_speedup = 40.0;
   addHeat(status, snapshot);
   EXPECT_EQ(status.level, Status::WARN);
   EXPECT_NE(status.message.find("40"), std::string::npos) << status.message;
-  EXPECT_NE(status.message.find("heat.speedup"), std::string::npos) << status.message;
+  EXPECT_NE(status.message.find("thermal.speedup"), std::string::npos) << status.message;
 }
 
 TEST(HeatStatus, DoesNotWarnBeforeTheFirstFrameOrAsleep) {
   for (const bool asleep : {false, true}) {
     Status status;
     Snapshot snapshot = freezingPond();
-    snapshot.report.heat_speedup = 0.0;
+    snapshot.report.thermal_speedup = 0.0;
     snapshot.report.frame = asleep ? 9 : 0;
     snapshot.report.asleep = asleep;
     addHeat(status, snapshot);

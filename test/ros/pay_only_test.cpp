@@ -24,7 +24,7 @@ class Watched final : public Simulation {
   void setTemperature(double c, double s, const std::string& target) override {
     real_->setTemperature(c, s, target);
   }
-  void heatRegion(const HeatRegion& region) override { real_->heatRegion(region); }
+  void heatRegion(const HeatedRegion& region) override { real_->heatRegion(region); }
   void setGravity(const Vec3d& gravity) override { real_->setGravity(gravity); }
   void moveCollider(const std::string& name, const Posed& pose) override {
     ++moves;

@@ -41,7 +41,7 @@ ALWAYS = [
     ('reset', dict(scene=ODD), ['a', 'small']),
     ('reset', dict(scene='small', preset='quick'), ['quick', 'default, paper']),
     ('reset', dict(preset='quick'), ['quick', 'default, paper']),
-    ('reset', dict(scene='warm', preset='paper'), ['heat.enabled', 'paper']),
+    ('reset', dict(scene='warm', preset='paper'), ['thermal.enabled', 'paper']),
     ('step', dict(frames=100001), ['frames to step', '100001', '[1, 1e+05]']),
     ('step', dict(frames=2**32 - 1), ['4294967295', '[1, 1e+05]']),
     ('save', dict(name=''), ['name', '1 to 64']),
@@ -55,8 +55,8 @@ ALWAYS = [
     ('load', dict(name='../../etc/passwd'), ['1 to 64', '~checkpoint_folder']),
 ]
 WITHOUT_HEAT = [
-    ('set_temperature', dict(temperature=5.0, target='container'), ['heat.enabled']),
-    ('heat_region', torch(), ['heat.enabled']),
+    ('set_temperature', dict(temperature=5.0, target='container'), ['thermal.enabled']),
+    ('heat_region', torch(), ['thermal.enabled']),
 ]
 WITH_HEAT = [
     ('set_temperature', dict(temperature=5.0, target='plat'), ['plat', 'container, plate']),

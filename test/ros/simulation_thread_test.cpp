@@ -21,12 +21,12 @@ Scene puddle() {
 
 Scene warmPuddle() {
   Scene scene = puddle();
-  scene.heat.enabled = true;
+  scene.thermal.enabled = true;
   return scene;
 }
 
-HeatRegion torch() {
-  HeatRegion region;
+HeatedRegion torch() {
+  HeatedRegion region;
   region.size_m = {0.2, 0.2, 0.2};
   region.power_w = 500.0;
   region.duration_s = 1.0;
@@ -98,7 +98,7 @@ TEST(SimulationThread, TargetsAndRegionsAreCheckedBeforeTheyWait) {
   EXPECT_NO_THROW(thread.setTemperature(-5.0, 0.0, "ground"));
   EXPECT_NO_THROW(thread.heatRegion(torch()));
   EXPECT_THROW(thread.setTemperature(-5.0, 0.0, "grond"), InvalidInput);
-  HeatRegion endless = torch();
+  HeatedRegion endless = torch();
   endless.duration_s = INFINITY;
   EXPECT_THROW(thread.heatRegion(endless), InvalidInput);
   thread.step(1);
@@ -134,7 +134,7 @@ TEST(SimulationThread, CommandThatFitsNoMoreChangesNothingAndIsTold) {
   held = false;
   ASSERT_TRUE(reaches(thread, 1));
   EXPECT_EQ(thread.snapshot().refused, 3u);
-  EXPECT_NE(thread.snapshot().refusal.find("heat.enabled"), std::string::npos);
+  EXPECT_NE(thread.snapshot().refusal.find("thermal.enabled"), std::string::npos);
   EXPECT_EQ(thread.snapshot().report.temperature_c, 20.0);
   EXPECT_THROW(thread.heatRegion(torch()), InvalidInput);  // the old scene counts again
 }

@@ -33,16 +33,16 @@ TEST_F(Commands, FreezeAndThawOfSpringsAt30Hz) {
   line(8, "Springs frozen and thawed thirty times a second", "springs bounded, no energy gained");
   WatchedRun run(figures_, stabilityScene("splash"));
   alternate(run, -10, 20);
-  EXPECT_LT(run.face("energy_rise"), 1e-3);
+  EXPECT_LT(run.metric("energy_rise"), 1e-3);
   EXPECT_LT(run.fastest_m_s(), 10.0);
 }
 
 TEST_F(Commands, FreezeAndThawByHeatAt30Hz) {
   line(8, "Water frozen and thawed by heat thirty times a second",
        "springs bounded, no energy gained");
-  WatchedRun run(figures_, stabilityScene("frost", {{"heat.speedup", "1e6"}}));
+  WatchedRun run(figures_, stabilityScene("frost", {{"thermal.speedup", "1e6"}}));
   alternate(run, -200, 200);
-  EXPECT_LT(run.face("energy_rise"), 1e-3);
+  EXPECT_LT(run.metric("energy_rise"), 1e-3);
   EXPECT_LT(run.fastest_m_s(), 10.0);
 }
 
@@ -114,7 +114,7 @@ TEST_F(Commands, AbsurdTemperaturesAreRefused) {
     expectNothingChanged(figures_, "splash", [&](Simulation& s) { s.setTemperature(-5, ramp_s); });
   }
   for (const double power_w : {1e10, -1e10, kNan, kInfinity}) {
-    HeatRegion region;
+    HeatedRegion region;
     region.power_w = power_w;
     region.duration_s = 1;
     expectNothingChanged(figures_, "frost", [&](Simulation& s) { s.heatRegion(region); });
@@ -141,8 +141,8 @@ TEST_F(Commands, ATorchOfAGigawatt) {
        "contained, within the range of temperatures");
   WatchedRun run(figures_, stabilityScene("frost"));
   Random random(7);
-  for (std::size_t k = 0; k < kMaxHeatRegions; ++k) {
-    HeatRegion region;
+  for (std::size_t k = 0; k < kMaxHeatedRegions; ++k) {
+    HeatedRegion region;
     region.centre_m = random.inBox({-0.4, -0.2, 0}, {0.4, 0.2, 0.5});
     region.size_m = Vec3d::Constant(0.3);
     region.power_w = k % 2 == 0 ? 1e9 : -1e9;
@@ -161,7 +161,7 @@ TEST_F(Commands, EverythingAtOnce) {
   Random random(11);
   for (const char* scene : {"splash", "frost", "hail"}) {
     WatchedRun run(figures_, stabilityScene(scene));
-    const bool heat = run->scene().heat.enabled;
+    const bool heat = run->scene().thermal.enabled;
     const std::string name = run->scene().containers[0].name;
     for (int k = 0; k < 60; ++k) {
       const double which = random.uniform(0, 4);

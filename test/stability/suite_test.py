@@ -59,7 +59,7 @@ class Ranges(unittest.TestCase):
         self.assertTrue(found["gravity_m_s2"].vector)
         self.assertTrue(found["blocks.velocity_gradient_1_s"].matrix)
         self.assertEqual(found["containers.wall_m"].high, 10)
-        self.assertNotIn("heat.enabled", found)
+        self.assertNotIn("thermal.enabled", found)
 
     def test_every_range_of_the_manual_is_read(self):
         text = (ROOT / "config" / "default.yaml").read_text()

@@ -1,4 +1,4 @@
-// A simulation under watch: what every frame has to hold, and the figures for scripts/stability.
+// A simulation under recorder: what every frame has to hold, and the figures for scripts/stability.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "error_faces.h"
 #include "ice_ice_baby/scene_loader.h"
+#include "metrics/error_metrics.h"
 #include "run_report.h"
 
 namespace ice_ice_baby::test {
@@ -39,7 +39,7 @@ struct Figures {
     wall_s += record.wall_time_s;
   }
   /// As properties of the test that runs, which --gtest_output=json tells.
-  void tell() const {
+  void report() const {
     const auto put = [](const char* name, double value) {
       testing::Test::RecordProperty(name, std::to_string(value));
     };
@@ -65,7 +65,7 @@ class SuiteCase : public testing::Test {
     RecordProperty("title", title);
     RecordProperty("expected", expected);
   }
-  void TearDown() override { figures_.tell(); }
+  void TearDown() override { figures_.report(); }
 
   Figures figures_;
 };
@@ -78,11 +78,11 @@ class WatchedRun {
       : figures_(figures), simulation_(std::move(simulation)) {
     simulation_->sample(particles_);
     started_with_ = particles_.size();
-    watches_ = watchesFor(view());
+    watches_ = metricsFor(view());
   }
   WatchedRun(Figures& figures, const Scene& scene)
       : WatchedRun(figures, makeSimulation(scene, Precision::kFloat, 1)) {}
-  ~WatchedRun() { figures_.add(record_, simulation_->report(), face("energy_rise")); }
+  ~WatchedRun() { figures_.add(record_, simulation_->report(), metric("energy_rise")); }
   WatchedRun(const WatchedRun&) = delete;
   WatchedRun& operator=(const WatchedRun&) = delete;
 
@@ -101,7 +101,7 @@ class WatchedRun {
     record_.addFrame(report);
     simulation_->sample(particles_);
     const FrameView frame = view();
-    for (const auto& watch : watches_) watch->add(frame);
+    for (const auto& recorder : watches_) recorder->add(frame);
     record_.addSample(report, frame.error);
     record_.escaped = std::max(record_.escaped, simulation_->countEscaped());
     EXPECT_EQ(report.non_finite, 0u) << "frame " << report.frame;
@@ -109,12 +109,12 @@ class WatchedRun {
     EXPECT_EQ(record_.escaped, 0u) << "frame " << report.frame;
     EXPECT_TRUE(std::isfinite(report.kinetic_energy_j)) << "frame " << report.frame;
   }
-  /// A face of the error, by the name that run_scene --report has for it; 0 if it has none.
-  double face(const std::string& name) const {
-    std::vector<ErrorFace> faces;
-    for (const auto& watch : watches_) watch->tell(faces);
-    for (const ErrorFace& face : faces) {
-      if (face.name == name) return face.value;
+  /// A metric of the error, by the name that run_scene --report has for it; 0 if it has none.
+  double metric(const std::string& name) const {
+    std::vector<ErrorMetric> metrics;
+    for (const auto& recorder : watches_) recorder->report(metrics);
+    for (const ErrorMetric& metric : metrics) {
+      if (metric.name == name) return metric.value;
     }
     return 0.0;
   }
@@ -126,7 +126,7 @@ class WatchedRun {
   std::unique_ptr<Simulation> simulation_;
   std::vector<ParticleSample> particles_;
   std::size_t started_with_ = 0;
-  std::vector<std::unique_ptr<ErrorWatch>> watches_;
+  std::vector<std::unique_ptr<MetricRecorder>> watches_;
   RunRecord record_;
 };
 

@@ -10,11 +10,11 @@ from iib.common.run_scene import report_of
 # The water of dam_break at rest and without gravity, so that every part meets the same water.
 SCENE = ("gravity_m_s2=[0, 0, 0]",)
 BARE = (*SCENE, "containers=[]", "solver.viscosity_1_s=0")
-TANK = (*SCENE, "fluid.wall_density=false", "solver.viscosity_1_s=0")
+TANK = (*SCENE, "fluid.boundary_density=false", "solver.viscosity_1_s=0")
 WALLS = (*SCENE, "solver.viscosity_1_s=0")
 ICE = ("springs.sleep_speed_m_s=0",)
 
-HEATED = (*SCENE, "containers=[]", "heat.enabled=true", "heat.air_transfer_w_m2k=0")
+HEATED = (*SCENE, "containers=[]", "thermal.enabled=true", "thermal.air_heat_transfer_w_m2k=0")
 BLOCK = "blocks=[{{min_m: [-0.4, -0.4, 0], max_m: [0.4, 0.4, 0.8], celsius: {}}}]"
 
 COLUMNS = (

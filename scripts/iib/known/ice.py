@@ -12,7 +12,7 @@ class Freezing:
 
     wall_c: float = -10.0
     water_c: float = 0.0
-    fusion_j_kg: float = 334e3
+    latent_heat_fusion_j_kg: float = 334e3
     ice_j_kgk: float = 2050.0
     water_j_kgk: float = 4186.0
     ice_w_mk: float = 2.22
@@ -21,7 +21,7 @@ class Freezing:
     water_kg_m3: float = 1000.0
 
     def stefan_number(self):
-        return -self.ice_j_kgk * self.wall_c / self.fusion_j_kg
+        return -self.ice_j_kgk * self.wall_c / self.latent_heat_fusion_j_kg
 
     def diffusivity_m2_s(self):
         """Of ice."""
@@ -61,20 +61,20 @@ class Freezing:
     def settings(self):
         """The same for run_scene --set, but for what blocks and plates have of their own."""
         heat = {
-            "fusion_j_kg": self.fusion_j_kg,
-            "ice_capacity_j_kgk": self.ice_j_kgk,
-            "water_capacity_j_kgk": self.water_j_kgk,
+            "latent_heat_fusion_j_kg": self.latent_heat_fusion_j_kg,
+            "ice_specific_heat_j_kgk": self.ice_j_kgk,
+            "water_specific_heat_j_kgk": self.water_j_kgk,
             "ice_conductivity_w_mk": self.ice_w_mk,
             "water_conductivity_w_mk": self.water_w_mk,
         }
         density = f"ice.density_ratio={self.ice_kg_m3 / self.water_kg_m3!r}"
-        return [*(f"heat.{key}={value!r}" for key, value in heat.items()), density]
+        return [*(f"thermal.{key}={value!r}" for key, value in heat.items()), density]
 
 
 def alike(stefan, water_c=0.0, ice_kg_m3=1000.0):
     """Ice and water with one conductivity and one capacity, at a Stefan number of choice."""
-    fusion_j_kg = 2000.0 * 10.0 / stefan
-    return Freezing(-10.0, water_c, fusion_j_kg, 2000.0, 2000.0, 2.0, 2.0, ice_kg_m3)
+    latent_heat_fusion_j_kg = 2000.0 * 10.0 / stefan
+    return Freezing(-10.0, water_c, latent_heat_fusion_j_kg, 2000.0, 2000.0, 2.0, 2.0, ice_kg_m3)
 
 
 def level(heights_m, spacing_m, floor_m=0.0):

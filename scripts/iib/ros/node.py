@@ -11,7 +11,7 @@ from std_srvs.srv import Trigger
 
 try:
     from ice_ice_baby.srv import (
-        ApplyHeat,
+        HeatRegion,
         GetState,
         Load,
         Reset,
@@ -25,7 +25,7 @@ except ModuleNotFoundError:
 
 TYPES = {
     "get_state": GetState,
-    "heat_region": ApplyHeat,
+    "heat_region": HeatRegion,
     "load": Load,
     "reset": Reset,
     "save": Save,

@@ -72,7 +72,7 @@ def asked(found, number):
     path = f"{section}.0.{name}" if section in (*LISTS, "blocks", "containers") else found.key
     sets = ROOM.get(found.key, (LISTS[section],) if section in LISTS else ())
     # Heat is on where its keys are, so that the ends are run and not only read.
-    scene = "frost" if section in ("heat", "ice", "steam") else "pool"
+    scene = "frost" if section in ("thermal", "ice", "steam") else "pool"
     return Asked(scene, (*sets, f"{path}={value_text(found, number)}"), duration_s=FRAMES_S)
 
 

@@ -221,14 +221,14 @@ def thousand_metres_a_second(run):
     for speed in ("[1000, 0, 0]", "[-577, 577, 577]", "[0, 0, -1000]"):
         run("shot", f"blocks.0.velocity_m_s={speed}")
         run("shot", f"blocks.0.velocity_m_s={speed}", "solver.substeps=1")
-        run("shot", f"blocks.0.velocity_m_s={speed}", "heat.enabled=true", "blocks.0.celsius=-5")
+        run("shot", f"blocks.0.velocity_m_s={speed}", "thermal.enabled=true", "blocks.0.celsius=-5")
     plate = (
         "planes=[{name: plate, position_m: [0.35, 0, 0.5], rpy_deg: [0, -90, 0], "
         "size_x_m: 1, size_y_m: 1, thickness_m: 1e-4}]"
     )
     through = [
         run("shot", "blocks.0.velocity_m_s=[1000, 0, 0]", plate, *ice, series=True)
-        for ice in ((), ("heat.enabled=true", "blocks.0.celsius=-5"))
+        for ice in ((), ("thermal.enabled=true", "blocks.0.celsius=-5"))
     ]
     beyond = sum(int((last_positions(end)[:, 0] > 0.36).sum()) for end in through)
     return [at_most("particles behind the plate", beyond, 0)]
@@ -302,7 +302,7 @@ def no_guard(run):
     )
     run("splash", *bare, "solver.iterations=1", duration_s=4)
     run("splash", *bare, "solver.resist_tension=true", duration_s=4)
-    run("splash", *bare, "fluid.kernel=poly6_spiky", "fluid.wall_density=false", duration_s=4)
+    run("splash", *bare, "fluid.kernel=poly6_spiky", "fluid.boundary_density=false", duration_s=4)
 
 
 @case(rise=0.01, because="under a hundred times the weight")
@@ -323,10 +323,10 @@ def preset_paper(run):
 @case(rise=2e-3, because="ice breaks off at 100 m/s")
 def fastest_spin(run):
     """Water and ice spun at 1,000 rad/s and stretched at 1,000 1/s: contained"""
-    for ice in ((), ("heat.enabled=true", "blocks.0.celsius=-5")):
+    for ice in ((), ("thermal.enabled=true", "blocks.0.celsius=-5")):
         run(
             "shot",
-            "blocks.0.spin_rad_s=[1000, 1000, 1000]",
+            "blocks.0.angular_velocity_rad_s=[1000, 1000, 1000]",
             "blocks.0.velocity_m_s=[0, 0, 0]",
             *ice,
         )

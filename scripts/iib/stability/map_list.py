@@ -111,7 +111,7 @@ def jump_map():
 
         return Row(name, scene, all_sets, always(LONGEST_S), ends=(0.0, highest))
 
-    warm_ice = ("heat.speedup=1000", "heat.air_transfer_w_m2k=1e5")
+    warm_ice = ("thermal.speedup=1000", "thermal.air_heat_transfer_w_m2k=1e5")
     rows = [
         row("springs, colder", "splash", 5, -1, 278.15),
         row("springs, warmer", "splash", -5, 1, 1005.0),
@@ -239,7 +239,7 @@ def friction_map():
 
 
 def speedup_map():
-    key = "heat.speedup"
+    key = "thermal.speedup"
 
     def row(name, scene, *sets):
         return Row(
@@ -248,17 +248,17 @@ def speedup_map():
 
     cold = "schedule=[{at_s: 0.2, celsius: -100}]"
     rows = [
-        row("freezing, still air", "frost", cold, "heat.air_transfer_w_m2k=20"),
+        row("freezing, still air", "frost", cold, "thermal.air_heat_transfer_w_m2k=20"),
         row("freezing, gale", "frost", cold),
         row(
             "melting, gale",
             "hail",
             "schedule=[{at_s: 0, celsius: 100}]",
-            "heat.air_transfer_w_m2k=1e5",
+            "thermal.air_heat_transfer_w_m2k=1e5",
         ),
         row("boiling", "kettle"),
     ]
-    return Map("speedup", "Speed-up of heat", "heat.speedup", decades(1e-2, 1e9), "what", rows)
+    return Map("speedup", "Speed-up of heat", "thermal.speedup", decades(1e-2, 1e9), "what", rows)
 
 
 MAPS = {

@@ -21,14 +21,14 @@ def front_error(run, freezing, water_c=0.0, layers=14, spacing_m=0.01, depth=10,
     sets = [
         *sets,
         *freezing.settings(),
-        f"heat.speedup={freezing.time(layers * spacing_m) / seconds!r}",
+        f"thermal.speedup={freezing.time(layers * spacing_m) / seconds!r}",
         f"fluid.spacing_m={spacing_m!r}",
         f"blocks=[{{min_m: [-0.04, -0.04, 0], max_m: [0.04, 0.04, {height_m!r}], "
         f"celsius: {water_c!r}}}]",
     ]
     end = run("stefan", duration_s=seconds, sets=sets)
     series = end.series
-    heat_s = np.concatenate([[0.0], np.cumsum(series["heat_speedup"][1:]) / end.frame_rate_hz])
+    heat_s = np.concatenate([[0.0], np.cumsum(series["thermal_speedup"][1:]) / end.frame_rate_hz])
     ice_m3 = end.lattice_kg * series["strictness"] / freezing.ice_kg_m3
     measured, expected = ice_m3 / 0.08**2, freezing.front(heat_s)
     flowed = (
@@ -194,7 +194,7 @@ def freeze_thaw_100(run):
     return [
         at_least("share of ice when cold, least of all cycles", ice[colds].min(), 1.0),
         at_most("share of ice when warm, most of all cycles", ice[ends].max(), 0.0),
-        at_most("ice bodies left", end.series["bodies"][-1], 0.0),
+        at_most("ice bodies left", end.series["ice_bodies"][-1], 0.0),
         at_most("springs left", end.series["springs"][-1], 0.0),
         at_most(
             "particles that left or broke", end.report["escaped"] + end.report["non_finite"], 0.0

@@ -169,8 +169,8 @@ def ice_at_rest(run):
         ),
         reported(
             "time from which it sleeps",
-            time[np.argmax(end.series["bodies_asleep"] > 0)]
-            if end.series["bodies_asleep"].any()
+            time[np.argmax(end.series["ice_bodies_asleep"] > 0)]
+            if end.series["ice_bodies_asleep"].any()
             else math.nan,
             "s",
         ),
@@ -235,5 +235,5 @@ def freeze_in_flight(run):
             1.0 + 1e-6,
         ),
         at_most("angular momentum gained or lost by the ice later", turned(after, -1), 1e-3),
-        reported("pieces of ice", end.series["bodies"][after]),
+        reported("pieces of ice", end.series["ice_bodies"][after]),
     ]

@@ -1,0 +1,119 @@
+// Bodies of ice and their contacts that were read from a checkpoint, as in restored_state.cpp. What
+// a body is follows from where its members are, so forged bodies are no worse than odd ones.
+#include <cmath>
+
+#include "checkpoint/restored_state.h"
+#include "ice/ice_bodies.h"
+#include "ice/ice_contacts.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Of what is worked out twice, the two may differ by so much of it.
+constexpr double kRounding = 1e-6;
+
+/// Of contacts: the shortest substep is 1e-7 s.
+constexpr double kHardest_kg_m = 1e12;
+constexpr double kShortest_s = 1e-8;
+
+bool near(const Mat3<double>& a, const Mat3<double>& b) {
+  return (a - b).norm() <= kRounding * b.norm();
+}
+
+bool isPlacement(const Placement& placement) {
+  return placement.centre_m.cwiseAbs().maxCoeff() <= kFurthest_m &&
+         std::abs(placement.rotation.norm() - 1.0) <= kRounding &&
+         near(placement.turn, placement.rotation.toRotationMatrix());
+}
+
+}  // namespace
+
+template <class Real>
+void IceBodies<Real>::settleBody(const IceBody& body, const Particles<Real>& particles) const {
+  const bool placed = isPlacement(body.pose) && isPlacement(body.next) && isPlacement(body.hold);
+  requireSense(placed, "a body that is nowhere");
+  Mat3<double> inertia =
+      double(body.count()) * ownInertia(body.last - body.first) * Mat3<double>::Identity();
+  double radius_m = 0.0;
+  for (Index m = body.first; m < body.last; ++m) {
+    const Vec3d& arm = offset_[m];
+    const Vec3d x = particles.position.at(place_[m]).template cast<double>();
+    const double room_m = 0.1 * radius_m_ + 1e-5 * x.norm();
+    requireSense(arm.norm() <= kFurthest_m && (body.pose.at(arm) - x).norm() <= room_m &&
+                     (body.next.at(arm) - x).norm() <= room_m && outward_[m].norm() <= 1.01,
+                 "a body beside its members");
+    inertia +=
+        particle_kg_ * (arm.squaredNorm() * Mat3<double>::Identity() - arm * arm.transpose());
+    radius_m = std::max(radius_m, arm.norm());
+  }
+  const double mass_kg = particle_kg_ * double(body.count());
+  const Mat3<double>& turn = body.next.turn;
+  requireSense(std::abs(body.mass_kg - mass_kg) <= kRounding * mass_kg &&
+                   std::abs(body.radius_m - radius_m) <= kRounding * radius_m_ &&
+                   near(body.inertia, inertia) &&
+                   near(body.inertia * body.mobility, Mat3<double>::Identity()) &&
+                   near(body.mobility_now, turn * body.mobility * turn.transpose()),
+               "a body with other inertia than its members");
+  requireSense(body.fastest_m_s() <= kFastest_m_s && within(body.speed_m_s, 0, kFastest_m_s) &&
+                   body.still_s >= 0.0,
+               "a body of no possible speed");
+}
+
+template <class Real>
+void IceBodies<Real>::settle(const Particles<Real>& particles, const Colliders<Real>& colliders) {
+  const std::size_t members = place_.size();
+  requireSense(
+      distinct(place_, particles.size()) && offset_.size() == members && outward_.size() == members,
+      "members of bodies that are no particles");
+  body_of_.clear();
+  for (const IceBody& body : bodies_) {
+    const bool follows = body.first == body_of_.size() && body.first < body.surface_last &&
+                         body.surface_last <= body.last && body.last <= members;
+    requireSense(follows, "a body of no members");
+    requireSense(belowOrNone(body.anchor, colliders.count()), "a body that no collider carries");
+    requireSense(belowOrNone(body.island, bodies_.size()), "a body beside none");
+    settleBody(body, particles);
+    body_of_.resize(body.last, static_cast<Index>(&body - bodies_.data()));
+  }
+  requireSense(body_of_.size() == members, "members of no body");
+  for (const Index member : renumbered_) {
+    requireSense(belowOrNone(member, members), "a member with a number that does not exist");
+  }
+  member_at_.assign(particles.size(), kNone);
+  for (Index m = 0; m < members; ++m) member_at_[place_[m]] = m;
+  makeChunks();
+}
+
+template <class Real>
+void IceContacts<Real>::settle(const IceBodies<Real>& bodies) const {
+  // Contacts may be those of the members before the latest change: followMembers renumbers them.
+  const bool follows = generation_ + 1 == bodies.generation();
+  const bool known = follows || generation_ == bodies.generation();
+  requireSense(dt_s_ == 0.0 || within(dt_s_, kShortest_s, 1.0), "a substep that cannot be");
+  requireSense(known, "contacts of bodies that are gone");
+  const std::size_t members = follows ? bodies.renumbered().size() : bodies.members();
+  const auto touches = [&](Index body, Index member) {
+    return member < members && (follows || body == bodies.bodyOfMember(member));
+  };
+  for (const auto* contacts : {&walls_, &pairs_, &dormant_walls_, &dormant_pairs_}) {
+    for (const Contact& contact : *contacts) {
+      const bool alone = contact.b == kNone && contact.member_b == kNone;
+      const bool other = alone || touches(contact.b, contact.member_b);
+      requireSense(touches(contact.a, contact.member_a) && other, "a contact of no bodies");
+      requireSense(within(contact.pressed, 0.0, kHardest_kg_m) &&
+                       contact.rubbed.cwiseAbs().maxCoeff() <= kHardest_kg_m,
+                   "a contact that presses as hard as nothing can");
+    }
+  }
+  for (const Candidate& candidate : candidates_) {
+    requireSense(candidate.a < members && candidate.b < members, "members near to none");
+  }
+}
+
+template void IceBodies<float>::settle(const Particles<float>&, const Colliders<float>&);
+template void IceBodies<double>::settle(const Particles<double>&, const Colliders<double>&);
+template void IceContacts<float>::settle(const IceBodies<float>&) const;
+template void IceContacts<double>::settle(const IceBodies<double>&) const;
+
+}  // namespace ice_ice_baby

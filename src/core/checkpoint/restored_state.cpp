@@ -1,0 +1,195 @@
+// State that was read from a checkpoint: refused where it makes no sense, and completed by what
+// follows from it. Bytes may come from anywhere, so nothing is an index before it is held to its
+// range here.
+#include "checkpoint/restored_state.h"
+
+#include <algorithm>
+
+#include "simulation/simulator.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Of densities, and of what keeps them, m^2.
+constexpr double kMost = 1e30;
+
+/// Heat and changes of phase wait no longer, s.
+constexpr double kLongestWait_s = 1.0;
+
+constexpr double kLongestRamp_s = 1e6;
+
+bool isTemperature(double celsius) {
+  return within(celsius, kTemperatureRange_c.min, kTemperatureRange_c.max);
+}
+
+template <class Real>
+bool holds(const VectorField<Real>& field, std::size_t count) {
+  return field.x.size() == count && field.y.size() == count && field.z.size() == count;
+}
+
+template <class Real>
+bool noFurther(const VectorField<Real>& field, double most) {
+  return allWithin(field.x, -most, most) && allWithin(field.y, -most, most) &&
+         allWithin(field.z, -most, most);
+}
+
+}  // namespace
+
+template <class Real>
+void Particles<Real>::settle(std::size_t count) {
+  requireSense(id.size() == count && distinct(id, count), "not every particle is there once");
+  requireSense(holds(position, count) && holds(velocity, count), "particles without a place");
+  requireSense(noFurther(position, kFurthest_m), "particles out of reach");
+  requireSense(noFurther(velocity, kFastest_m_s), "particles of no possible speed");
+  predicted = position;
+}
+
+template <class Real>
+void DensityConstraint<Real>::settle(std::size_t particles) {
+  const std::size_t started = warmStarts() ? particles : 0;
+  requireSense(density_.size() == particles && multiplier_.size() == particles &&
+                   holds(correction_, started),
+               "densities of other particles");
+  requireSense(allWithin(density_, -kMost, kMost) && allWithin(multiplier_, -kMost, kMost) &&
+                   noFurther(correction_, kFurthest_m),
+               "densities that cannot be");
+  resize(particles);
+}
+
+template <class Real>
+void Neighbours<Real>::settle(std::size_t particles) {
+  if (particles == 0) return;
+  requireSense(holds(built_at_, particles + kPadding) && builds_ > 0, "lists of other particles");
+  VectorField<Real> where = built_at_;
+  where.resize(particles);
+  const std::size_t builds = builds_;
+  const std::vector<Index>& order = sortOrder(where);
+  requireSense(std::is_sorted(order.begin(), order.end()), "particles that are not sorted by cell");
+  build(where);
+  builds_ = builds;
+}
+
+template <class Real>
+void Colliders<Real>::settle() const {
+  const auto possible = [](const auto& pose) {
+    return pose.position.cwiseAbs().maxCoeff() <= kMaxCoordinate_m && isRotation(pose.rotation);
+  };
+  const auto all = [&](const auto& bodies) {
+    return std::all_of(bodies.begin(), bodies.end(), [&](const auto& body) {
+      return possible(body.motion.from) && possible(body.motion.to);
+    });
+  };
+  const bool travels = std::all_of(travels_.begin(), travels_.end(), [&](const Travel& travel) {
+    return possible(travel.start) && possible(travel.target);
+  });
+  requireSense(travels && all(containers) && all(planes) && all(spheres),
+               "a collider that is nowhere");
+}
+
+template <class Real>
+void Springs<Real>::settle(std::size_t particles) const {
+  requireSense(sheet_count_ <= springs_.size(), "sheets of more springs than there are");
+  for (const Spring<Real>& spring : springs_) {
+    requireSense(spring.a < particles && spring.b < particles, "a spring that joins no particles");
+    requireSense(within(double(spring.rest_m), 0.0, kMaxCoordinate_m), "a spring of no length");
+  }
+}
+
+void Temperature::settle() const {
+  const auto possible = [](const TemperatureEvent& event) {
+    return isTemperature(event.celsius) && within(event.ramp_s, 0.0, kLongestRamp_s);
+  };
+  requireSense(isTemperature(celsius_) && isTemperature(from_c_) && isTemperature(target_c_) &&
+                   within(ramp_s_, 0.0, kLongestRamp_s) &&
+                   std::all_of(schedule_.begin(), schedule_.end(), possible),
+               "a temperature that nothing can have");
+}
+
+template <class Real>
+void ThermalBoundaries<Real>::settle() const {
+  for (const Surface& one : surfaces_) {
+    requireSense(isTemperature(one.celsius) && isTemperature(one.target_c) &&
+                     within(one.ramp_left_s, 0.0, kLongestRamp_s),
+                 "a wall of a temperature that nothing can have");
+  }
+}
+
+void HeatedRegions::settle(const Scene& scene) const {
+  requireSense(active_.size() <= kMaxHeatedRegions, "too many heated regions");
+  for (const HeatedRegion& region : active_) requireHeatedRegion(scene, region);
+}
+
+template <class Real>
+void ThermalSolver<Real>::settle(std::size_t particles, const Scene& scene) const {
+  requireSense(enthalpy_.size() == particles && received_.size() == particles,
+               "heat of other particles");
+  const bool possible = std::all_of(enthalpy_.begin(), enthalpy_.end(), [&](double enthalpy_j_kg) {
+    return curve_.clampToRange(enthalpy_j_kg) == enthalpy_j_kg;
+  });
+  requireSense(possible && allWithin(received_, -kMost, kMost), "water hotter or colder than any");
+  requireSense(within(passes_, 0, kMostPasses) && longest_pass_s_ >= 0.0 && reached_speedup_ >= 0.0,
+               "heat that flows at no possible rate");
+  walls_.settle();
+  regions_.settle(scene);
+}
+
+template <class Real>
+void Phases<Real>::settle(std::size_t particles, std::size_t colliders) {
+  for (const std::size_t size : {phase_.size(), share_.size(), full_share_.size(), slush_.size(),
+                                 wet_.size(), pressed_.size(), stuck_to_.size()}) {
+    requireSense(size == particles, "phases of other particles");
+  }
+  ice_count_ = steam_count_ = 0;
+  for (std::size_t i = 0; i < particles; ++i) {
+    requireSense(phase_[i] <= Phase::kSteam, "a phase that does not exist");
+    requireSense(belowOrNone(stuck_to_[i], colliders), "ice that sticks to no collider");
+    // Nothing is less or more dense than water by more than a factor of two, but for steam.
+    requireSense(within(double(share_[i]), 0.0, 2.0) && within(double(full_share_[i]), 0.0, 2.0) &&
+                     within(double(slush_[i]), 0.0, 1.0),
+                 "a phase of no possible volume");
+    ice_count_ += phase_[i] == Phase::kIce;
+    steam_count_ += phase_[i] == Phase::kSteam;
+    steam_[i] = phase_[i] == Phase::kSteam;
+    flows_[i] = phase_[i] == Phase::kWater || (elastic_ && phase_[i] == Phase::kIce);
+  }
+}
+
+template <class Real>
+void Simulator<Real>::settle() {
+  const std::size_t n = particles_.size();
+  std::size_t spawned = 0;
+  for (const Spawn& spawn : spawns_) spawned += spawn.count;
+  particles_.settle(spawned);
+  density_->settle(n);
+  colliders_.settle();
+  requireSense(substeps_ >= 1 && substeps_ <= 1000, "a number of substeps that cannot be");
+  requireSense(within(strictness_, 0.0, 1.0), "ice that is more than frozen");
+  requireSense(within(heat_due_s_, 0.0, kLongestWait_s) &&
+                   within(phases_due_s_, 0.0, kLongestWait_s) && still_s_ >= 0.0 &&
+                   report_.time_s >= 0.0 && within(report_.substeps, 0, 1000),
+               "a time that cannot be");
+  temperature_.settle();
+  report_.particles = n;
+  report_.springs = springs_ ? springs_->size() : 0;
+  if (springs_) springs_->settle(n);
+  if (heat_) {
+    heat_->settle(n, scene_);
+    phases_->settle(n, colliders_.count());
+    if (phases_->steamCount() > 0) steam_.emplace(scene_.steam);
+    if (phases_->steamCount() == 0) steam_.reset();
+  }
+  requireSense(bodies_.has_value() == contacts_.has_value() && (rigidIce() || !bodies_),
+               "bodies of ice where there can be none");
+  if (bodies_) {
+    bodies_->settle(particles_, colliders_);
+    contacts_->settle(*bodies_);
+  }
+  temperature_.advanceTo(report_.time_s);
+  arena_.execute([&] { neighbours_.settle(n); });
+}
+
+template class Simulator<float>;
+template class Simulator<double>;
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,45 @@
+// Which paths no collider can touch: nearly all of them, found many at a time, so that the exact
+// geometry is asked only near walls.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "colliders/colliders.h"
+#include "particles/particles.h"
+
+namespace ice_ice_baby {
+
+/// Straight paths of particles: from -> to, or from -> to + by.
+template <class Real>
+struct Paths {
+  const VectorField<Real>& from;
+  const VectorField<Real>& to;
+  const VectorField<Real>* by = nullptr;
+};
+
+/// So many paths are looked at together that the compiler makes vectors of the loops over them.
+constexpr std::size_t kClearanceTile = 64;
+using ClearMask = std::array<std::uint32_t, kClearanceTile>;
+
+/// For particles first ... first + count - 1, whether the path surely stays further than `margin_m`
+/// from where any collider would stop it. Cautious: a path that is not clear may yet be free.
+/// @param count 1 ... kClearanceTile
+template <class Real>
+ClearMask clearPaths(const Colliders<Real>& colliders, const Paths<Real>& paths, Real margin_m,
+                     std::size_t first, std::size_t count);
+
+/// Calls visit(i) for every i of first ... last - 1 whose path is not clear.
+template <class Real, class Visit>
+void forEachNear(const Colliders<Real>& colliders, const Paths<Real>& paths, Real margin_m,
+                 std::size_t first, std::size_t last, const Visit& visit) {
+  for (std::size_t i = first; i < last; i += kClearanceTile) {
+    const std::size_t count = std::min(kClearanceTile, last - i);
+    const ClearMask clear = clearPaths(colliders, paths, margin_m, i, count);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!clear[k]) visit(i + k);
+    }
+  }
+}
+
+}  // namespace ice_ice_baby

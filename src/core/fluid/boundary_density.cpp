@@ -1,0 +1,288 @@
+#include "fluid/boundary_density.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ice_ice_baby {
+
+namespace {
+
+constexpr int kEdgeSize = 64;
+constexpr int kCornerSize = 32;
+
+double kernelValue(KernelPair pair, double h, double r) {
+  return pair == KernelPair::kCubic ? CubicSpline<double>(h).w(r) : Poly6<double>(h).w(r);
+}
+
+/// Share of a sphere of radius r, its centre at a distance from that of a ball, that lies in the
+/// ball.
+double shareInside(double r, double distance, double ball) {
+  const double cosine = (distance * distance + r * r - ball * ball) / (2 * distance * r);
+  return 0.5 * (1 - std::clamp(cosine, -1.0, 1.0));
+}
+
+}  // namespace
+
+template <class Real>
+BoundaryDensity<Real>::BoundaryDensity(const Scene& scene, const Colliders<Real>& colliders,
+                                       double volume_m3)
+    : colliders_(colliders),
+      kernel_(scene.fluid.kernel),
+      h_(scene.supportRadius_m()),
+      spacing_(scene.fluid.spacing_m),
+      volume_(volume_m3),
+      radius_(static_cast<Real>(spacing_ / 2)) {
+  plane_ = halfSpace();
+  if (!colliders.containers.empty()) {
+    edge_ = edge();
+    corner_ = corner();
+  }
+  for (const auto& body : colliders.spheres) spheres_.push_back(ball(body.shape.reach - radius_));
+}
+
+/// Sum over the lattice that goes on behind `walls` walls at right angles, in their common region.
+template <class Real>
+double BoundaryDensity<Real>::ghosts(const std::array<double, 3>& distances, int walls) const {
+  const int reach = static_cast<int>(h_ / spacing_) + 1;
+  const auto offset = [&](int axis, int k) {
+    return axis < walls ? distances[std::size_t(axis)] + (k + 0.5) * spacing_ : k * spacing_;
+  };
+  const auto first = [&](int axis) { return axis < walls ? 0 : -reach; };
+  double sum = 0.0;
+  for (int x = first(0); x <= reach; ++x) {
+    for (int y = first(1); y <= reach; ++y) {
+      for (int z = first(2); z <= reach; ++z) {
+        const Vec3d ghost(offset(0, x), offset(1, y), offset(2, z));
+        sum += kernelValue(kernel_, h_, ghost.norm());
+      }
+    }
+  }
+  return volume_ * sum;
+}
+
+template <class Real>
+DistanceTable<Real> BoundaryDensity<Real>::halfSpace() const {
+  return DistanceTable<Real>(h_, [&](double distance) { return ghosts({distance, 0, 0}, 1); });
+}
+
+template <class Real>
+DistanceTable<Real> BoundaryDensity<Real>::ball(Real radius) const {
+  constexpr int kShells = 400;
+  return DistanceTable<Real>(h_, [&](double distance) {
+    double sum = 0.0;
+    for (int k = 0; k < kShells; ++k) {
+      const double r = h_ * (k + 0.5) / kShells;
+      sum += 4 * M_PI * r * r * kernelValue(kernel_, h_, r) *
+             shareInside(r, distance + double(radius), double(radius)) * h_ / kShells;
+    }
+    return sum;
+  });
+}
+
+template <class Real>
+typename BoundaryDensity<Real>::EdgeTable BoundaryDensity<Real>::edge() const {
+  EdgeTable table;
+  table.per_m = static_cast<Real>(kEdgeSize / h_);
+  table.values.reserve((kEdgeSize + 1) * (kEdgeSize + 1));
+  for (int a = 0; a <= kEdgeSize; ++a) {
+    for (int b = 0; b <= kEdgeSize; ++b) {
+      table.values.push_back(
+          static_cast<Real>(ghosts({h_ * a / kEdgeSize, h_ * b / kEdgeSize, 0}, 2)));
+    }
+  }
+  return table;
+}
+
+template <class Real>
+typename BoundaryDensity<Real>::EdgeTable::Sample BoundaryDensity<Real>::EdgeTable::at(
+    Real a, Real b) const {
+  a = std::max(a, Real(0)) * per_m;
+  b = std::max(b, Real(0)) * per_m;
+  if (!(a < kEdgeSize && b < kEdgeSize)) return {0, 0, 0};
+  const auto row = static_cast<std::size_t>(a);
+  const auto column = static_cast<std::size_t>(b);
+  const Real u = a - static_cast<Real>(row);
+  const Real v = b - static_cast<Real>(column);
+  const Real* low = &values[row * (kEdgeSize + 1) + column];
+  const Real* high = low + kEdgeSize + 1;
+  const Real at_low = low[0] + v * (low[1] - low[0]);
+  const Real at_high = high[0] + v * (high[1] - high[0]);
+  const Real slope_b = (1 - u) * (low[1] - low[0]) + u * (high[1] - high[0]);
+  return {at_low + u * (at_high - at_low), (at_high - at_low) * per_m, slope_b * per_m};
+}
+
+template <class Real>
+std::vector<Real> BoundaryDensity<Real>::corner() const {
+  std::vector<Real> values;
+  const double step = h_ / kCornerSize;
+  values.reserve((kCornerSize + 1) * (kCornerSize + 1) * (kCornerSize + 1));
+  for (int a = 0; a <= kCornerSize; ++a) {
+    for (int b = 0; b <= kCornerSize; ++b) {
+      for (int c = 0; c <= kCornerSize; ++c) {
+        values.push_back(static_cast<Real>(ghosts({a * step, b * step, c * step}, 3)));
+      }
+    }
+  }
+  return values;
+}
+
+/// Adds what three walls share, linear between the nodes of the table.
+template <class Real>
+void BoundaryDensity<Real>::addCorner(const std::array<NearWall<Real>, 3>& walls,
+                                      WallSample<Real>& sample) const {
+  const Real per_m = static_cast<Real>(kCornerSize / h_);
+  std::array<std::size_t, 3> cell{};
+  std::array<Real, 3> part{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Real place = std::max(walls[k].distance, Real(0)) * per_m;
+    cell[k] = std::min(static_cast<std::size_t>(place), std::size_t(kCornerSize - 1));
+    part[k] = place - static_cast<Real>(cell[k]);
+  }
+  for (std::size_t node = 0; node < 8; ++node) {
+    const std::array<std::size_t, 3> up{node >> 2, node >> 1 & 1, node & 1};
+    std::size_t place = 0;
+    std::array<Real, 3> weight{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      place = place * (kCornerSize + 1) + cell[k] + up[k];
+      weight[k] = up[k] ? part[k] : 1 - part[k];
+    }
+    const Real value = corner_[place];
+    sample.value += value * weight[0] * weight[1] * weight[2];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Real slope = (up[k] ? per_m : -per_m) * weight[(k + 1) % 3] * weight[(k + 2) % 3];
+      sample.gradient[walls[k].axis] += walls[k].sign * value * slope;
+    }
+  }
+}
+
+/// Half spaces of all walls, less what two share, plus what three share.
+template <class Real>
+WallSample<Real> BoundaryDensity<Real>::inBox(const NearWalls<Real>& near) const {
+  const NearWall<Real>* walls = near.begin();
+  WallSample<Real> sample;
+  for (int a = 0; a < near.count; ++a) {
+    const NearWall<Real>& one = walls[a];
+    const auto [density, slope] = plane_.at(one.distance);
+    sample.value += density;
+    sample.gradient[one.axis] += one.sign * slope;
+    for (int b = a + 1; b < near.count; ++b) {
+      const NearWall<Real>& two = walls[b];
+      if (two.axis == one.axis) continue;
+      const auto shared = edge_.at(one.distance, two.distance);
+      sample.value -= shared.value;
+      sample.gradient[one.axis] -= one.sign * shared.slope_a;
+      sample.gradient[two.axis] -= two.sign * shared.slope_b;
+      for (int c = b + 1; c < near.count; ++c) {
+        if (walls[c].axis != two.axis) addCorner({one, two, walls[c]}, sample);
+      }
+    }
+  }
+  return sample;
+}
+
+/// The floor, and of the other walls the share of a half space that lies below the rim; both end
+/// where a point over the wall belongs outside. A wall that ended at once would be a step in the
+/// density, which throws whatever crosses it.
+template <class Real>
+WallSample<Real> BoundaryDensity<Real>::nearRim(const ContainerShape<Real>& shape,
+                                                const Vec3<Real>& local) const {
+  const Real above = local.z() - shape.inner.high.z();
+  Vec3<Real> within = local;
+  if (above >= 0) within.z() = shape.inner.high.z() - Real(1e-3) * radius_;
+  NearWalls<Real> near = nearWalls(shape, within, radius_, static_cast<Real>(h_));
+  NearWalls<Real> floor;
+  for (NearWall<Real>& wall : near.walls) {
+    if (&wall == near.end()) break;
+    if (wall.axis != 2) continue;
+    wall.distance += local.z() - within.z();
+    floor.walls[std::size_t(floor.count++)] = wall;
+  }
+  const auto [half, slope] = plane_.at(std::abs(above));
+  const Real whole = 2 * plane_.at(Real(0)).first;
+  const Real share = above < 0 ? 1 - half / whole : half / whole;
+  const WallSample<Real> bottom = inBox(floor), all = inBox(near);
+  WallSample<Real> sample;
+  sample.value = bottom.value + share * (all.value - bottom.value);
+  sample.gradient = bottom.gradient + share * (all.gradient - bottom.gradient);
+  sample.gradient.z() += slope / whole * (all.value - bottom.value);
+  fadeOverWall(shape, local, sample);
+  return sample;
+}
+
+template <class Real>
+void BoundaryDensity<Real>::fadeOverWall(const ContainerShape<Real>& shape, const Vec3<Real>& local,
+                                         WallSample<Real>& sample) const {
+  for (int axis = 0; axis < 2; ++axis) {
+    const Real sign = local[axis] < 0 ? Real(-1) : Real(1);
+    const Real over = sign * local[axis] - shape.inner.high[axis];
+    if (over <= 0) continue;
+    const Real width = shape.middle.high[axis] - shape.inner.high[axis];
+    const Real kept = std::max(Real(0), 1 - over / width);
+    sample.gradient *= kept;
+    sample.gradient[axis] -= sign * sample.value / width;
+    sample.value *= kept;
+  }
+}
+
+template <class Real>
+void BoundaryDensity<Real>::addContainer(const Body<Real, ContainerShape<Real>>& body,
+                                         const Vec3<Real>& point, WallSample<Real>& sample) const {
+  const Vec3<Real> local = body.motion.to.toLocal(point);
+  const Real above_rim = local.z() - body.shape.inner.high.z();
+  const Real h = static_cast<Real>(h_);
+  if (body.shape.open_top && above_rim >= h) return;
+  const bool at_rim = body.shape.open_top && above_rim > -h;
+  const WallSample<Real> box =
+      at_rim ? nearRim(body.shape, local) : inBox(nearWalls(body.shape, local, radius_, h));
+  if (box.value == 0) return;
+  sample.value += box.value;
+  sample.gradient += body.motion.to.rotation * box.gradient;
+}
+
+template <class Real>
+void BoundaryDensity<Real>::addPlane(const Body<Real, PlaneShape<Real>>& body,
+                                     const Vec3<Real>& point, WallSample<Real>& sample) const {
+  const Real distance = heightAbove(body, point, radius_);
+  if (distance < 0) return;
+  const auto [density, slope] = plane_.at(distance);
+  const Vec3<Real> normal = body.motion.to.rotation.col(2);
+  if (density == 0 ||
+      hiddenByWall<Real>(colliders_, point, point - distance * normal, radius_, true))
+    return;
+  sample.value += density;
+  sample.gradient += normal * slope;
+}
+
+template <class Real>
+WallSample<Real> BoundaryDensity<Real>::at(const Vec3<Real>& point) const {
+  WallSample<Real> sample;
+  for (const auto& body : colliders_.containers) addContainer(body, point, sample);
+  for (const auto& body : colliders_.planes) addPlane(body, point, sample);
+  for (std::size_t k = 0; k < spheres_.size(); ++k) {
+    const auto& body = colliders_.spheres[k];
+    const Vec3<Real> out = point - body.motion.to.position;
+    const Real distance = out.norm();
+    const Real gap = distance - body.shape.reach + radius_;
+    const auto [density, slope] = spheres_[k].at(gap);
+    if (density == 0 || distance == 0) continue;
+    const Vec3<Real> normal = out / distance;
+    if (hiddenByWall<Real>(colliders_, point, point - gap * normal, radius_, true)) continue;
+    sample.value += density;
+    sample.gradient += normal * slope;
+  }
+  return sample;
+}
+
+template <class Real>
+std::size_t BoundaryDensity<Real>::bytes() const {
+  std::size_t total =
+      plane_.bytes() + (edge_.values.capacity() + corner_.capacity()) * sizeof(Real);
+  for (const DistanceTable<Real>& table : spheres_) total += table.bytes();
+  return total;
+}
+
+template class BoundaryDensity<float>;
+template class BoundaryDensity<double>;
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,85 @@
+// Density that walls and colliders add to particles near them, so that water rests against a wall
+// as it rests against water: without it particles stack at walls.
+//
+// A flat wall counts as if the rest lattice went on behind it, its first layer half a spacing deep,
+// so a lattice at rest in a box has exactly the rest density up to the last particle. Where walls
+// of a box meet, what their half spaces share is counted once. Walls end at the rim of an open
+// container: they fade over a support radius on either side of it, as a half space would. A sphere
+// counts by the volume of the kernel that lies inside it.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "colliders/clearance.h"
+#include "colliders/colliders.h"
+#include "colliders/distance_table.h"
+#include "colliders/near_walls.h"
+#include "particles/kernels.h"
+
+namespace ice_ice_baby {
+
+/// Value and gradient at a particle centre of the density of colliders over rest density.
+template <class Real>
+struct WallSample {
+  Real value = 0;                            ///< dimensionless
+  Vec3<Real> gradient = Vec3<Real>::Zero();  ///< 1/m
+};
+
+template <class Real>
+class BoundaryDensity {
+ public:
+  /// @param volume_m3 m / rho_0, the volume of a particle
+  BoundaryDensity(const Scene& scene, const Colliders<Real>& colliders, double volume_m3);
+
+  WallSample<Real> at(const Vec3<Real>& point) const;
+
+  /// Calls visit(i, sample) for every point of first ... last - 1 that a collider may be near.
+  template <class Visit>
+  void forEachNear(const VectorField<Real>& points, std::size_t first, std::size_t last,
+                   const Visit& visit) const {
+    const Real margin = static_cast<Real>(h_) - radius_;
+    ice_ice_baby::forEachNear(colliders_, Paths<Real>{points, points}, margin, first, last,
+                              [&](std::size_t i) { visit(i, at(points.at(i))); });
+  }
+
+  std::size_t bytes() const;
+
+ private:
+  /// What two walls at right angles share, over the distances to both, bilinear.
+  struct EdgeTable {
+    std::vector<Real> values;
+    Real per_m = 0;
+    struct Sample {
+      Real value, slope_a, slope_b;
+    };
+    Sample at(Real a, Real b) const;
+  };
+  DistanceTable<Real> halfSpace() const;
+  DistanceTable<Real> ball(Real radius) const;
+  EdgeTable edge() const;
+  std::vector<Real> corner() const;
+  double ghosts(const std::array<double, 3>& distances, int walls) const;
+  WallSample<Real> inBox(const NearWalls<Real>& near) const;
+  WallSample<Real> nearRim(const ContainerShape<Real>& shape, const Vec3<Real>& local) const;
+  void fadeOverWall(const ContainerShape<Real>& shape, const Vec3<Real>& local,
+                    WallSample<Real>& sample) const;
+  void addCorner(const std::array<NearWall<Real>, 3>& walls, WallSample<Real>& sample) const;
+  void addContainer(const Body<Real, ContainerShape<Real>>& body, const Vec3<Real>& point,
+                    WallSample<Real>& sample) const;
+  void addPlane(const Body<Real, PlaneShape<Real>>& body, const Vec3<Real>& point,
+                WallSample<Real>& sample) const;
+
+  const Colliders<Real>& colliders_;
+  KernelPair kernel_;
+  double h_;
+  double spacing_;
+  double volume_;
+  Real radius_;
+  DistanceTable<Real> plane_;
+  EdgeTable edge_;
+  std::vector<Real> corner_;  ///< what three walls share, over the distances to all
+  std::vector<DistanceTable<Real>> spheres_;
+};
+
+}  // namespace ice_ice_baby

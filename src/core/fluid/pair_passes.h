@@ -1,0 +1,85 @@
+// The inner loops over pairs of neighbours, as vectors as wide as the processor has.
+//
+// A pass sums over the neighbours of a particle, in the order of its list and independently of
+// every other particle, so the result has the same bits on any number of threads. How many lanes a
+// sum is spread over depends on the processor, so different processors may differ in rounding.
+#pragma once
+
+#include <vector>
+
+#include "ice_ice_baby/params.h"
+#include "particles/neighbours.h"
+#include "particles/particles.h"
+
+namespace ice_ice_baby {
+
+/// Rows of four: three coordinates of a particle and a value, side by side, so that a neighbour
+/// costs one load where four arrays would cost four gathers.
+template <class Real>
+class PackedXyzw {
+ public:
+  void pack(const VectorField<Real>& field);
+  void pack(const VectorField<Real>& field, const std::vector<Real>& fourth);
+
+  const Real* data() const { return rows_.data(); }
+  std::size_t bytes() const { return rows_.capacity() * sizeof(Real); }
+
+ private:
+  std::vector<Real> rows_;  ///< (n, 4)
+};
+
+/// Particles first ... last - 1.
+struct ParticleRange {
+  std::size_t first, last;
+};
+
+/// What every pass reads.
+template <class Real>
+struct PairInput {
+  const Neighbours<Real>& neighbours;
+  const Real* positions;  ///< (n, 4) packed, m
+  const Real* values;     ///< (n, 4) packed, of what the pass spreads
+  Real support;           ///< h, m
+  /// (n) volume over that of water; null where all particles are water.
+  const Real* shares = nullptr;
+  Real shear = 0;  ///< of a mixture: see mixturePairPasses
+};
+
+/// In the fourth column of the values of a mixture: two of these take no part in each other's
+/// velocity, as the ice that they belong to moves as one.
+constexpr float kRigidGrip = 1e30f;
+
+/// Sums of Eq. 2 and 4 over the neighbours of each particle, without the scales of the kernels:
+/// w = W(r) / W(0) and s = (W'(r) / r) / (W'(h/2) / (h/2)).
+template <class Real>
+struct ConstraintSums {
+  std::vector<Real>& density;    ///< (n) sum w
+  std::vector<Real>& squares;    ///< (n) sum (s r / h)^2
+  VectorField<Real>& gradients;  ///< (n) sum s (x_i - x_j)
+};
+
+/// The passes for one kernel pair on this processor. Pairs beyond h add nothing, nor do those at
+/// distance 0, which have no direction, to a gradient.
+template <class Real>
+struct PairPasses {
+  void (*sumConstraint)(const PairInput<Real>&, ConstraintSums<Real>, ParticleRange);
+  /// Sum (lambda_i + lambda_j) s (x_i - x_j), lambda in the fourth column of the positions.
+  void (*sumCorrections)(const PairInput<Real>&, VectorField<Real>&, ParticleRange);
+  /// Adds factor * sum (v_j - v_i) w of the cubic spline, v in the values.
+  void (*addDifferences)(const PairInput<Real>&, Real factor, VectorField<Real>&, ParticleRange);
+};
+
+template <class Real>
+PairPasses<Real> pairPasses(KernelPair kernel);
+
+/// The same where particles differ in volume, as water, ice and steam do:
+/// - sumConstraint counts neighbour j share_j times, the share in the fourth column of the
+///   positions;
+/// - sumCorrections sums (lambda_i share_j + lambda_j share_i) s (x_i - x_j), the gradient of that;
+/// - addDifferences weighs a pair with the lesser of both fourth columns of the values, unless both
+///   are kRigidGrip. What that is above `shear` acts along the line between the two only, which
+///   keeps angular momentum.
+template <class Real>
+PairPasses<Real> mixturePairPasses(KernelPair kernel);
+
+}  // namespace ice_ice_baby

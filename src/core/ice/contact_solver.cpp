@@ -1,0 +1,240 @@
+// Projected Gauss-Seidel over the contacts of bodies of ice.
+#include <algorithm>
+#include <cmath>
+
+#include "ice/ice_contacts.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Sweeps of one solve at most, half of them there and half back.
+constexpr int kSweeps = 10;
+
+/// The same where bodies would pass each other: what a sweep leaves of so long a way is too much.
+constexpr int kSweptSweeps = 200;
+
+/// A sweep that moves nothing by more than this, in spacings, is the last.
+constexpr double kSettled_d = 1e-7;
+
+/// What overlapped when the substep began parts this share of the overlap per substep, and no
+/// faster than that speed, as the way out counts as velocity.
+constexpr double kRelease = 0.2;
+constexpr double kRelease_m_s = 0.1;
+
+/// Gap that a contact has to keep: none, or nearly the overlap that it began with.
+double allowedGap(double before_m, double dt_s) {
+  if (before_m >= 0) return 0.0;
+  return before_m + std::min(-kRelease * before_m, kRelease_m_s * dt_s);
+}
+
+}  // namespace
+
+template <class Real>
+void IceContacts<Real>::makeRows(const IceBodies<Real>& bodies, const Contact& contact,
+                                 Rows& rows) const {
+  const bool wall = contact.b == kNone;
+  const IceBody& a = bodies.body(contact.a);
+  const IceBody& b = bodies.body(wall ? contact.a : contact.b);
+  rows.a = contact.a;
+  rows.b = contact.b;
+  rows.mass_a = a.held() ? 0.0 : 1.0 / a.mass_kg;
+  rows.mass_b = wall || b.held() ? 0.0 : 1.0 / b.mass_kg;
+  const Vec3d at_a = a.next.at(bodies.offset(contact.member_a));
+  const Vec3d at_b = wall ? contact.point : b.next.at(bodies.offset(contact.member_b));
+  // Both bodies get the impulse at one point, or angular momentum would be made of nothing.
+  const Vec3d touch =
+      wall ? Vec3d(at_a - spacing_m_ / 2 * contact.normal) : Vec3d((at_a + at_b) / 2);
+  const Vec3d arm_a = contact.swept ? contact.arm_a : Vec3d(touch - a.next.centre_m);
+  const Vec3d arm_b = wall            ? Vec3d::Zero()
+                      : contact.swept ? contact.arm_b
+                                      : Vec3d(touch - b.next.centre_m);
+  const double gap = contact.normal.dot(at_a - at_b) - (wall ? 0.0 : contact_m_);
+
+  // How far the two surfaces slid over each other since the substep began.
+  const auto began = [&](Index k, const IceBody& body, const Vec3d& arm) -> Vec3d {
+    return body.pose.centre_m + moves_[k].back * arm;
+  };
+  const Motion<double>* motion = wall ? &faces_.motion(contact.collider) : nullptr;
+  const Vec3d other_began =
+      wall ? motion->from.toWorld(motion->to.toLocal(touch)) : began(contact.b, b, arm_b);
+  const Vec3d slid = other_began - began(contact.a, a, arm_a);
+  const auto fill = [&](Row& row, const Vec3d& axis, double value) {
+    row.axis = axis;
+    row.lever_a = arm_a.cross(axis);
+    row.lever_b = arm_b.cross(axis);
+    row.turn_a = rows.mass_a > 0 ? Vec3d(a.mobility_now * row.lever_a) : Vec3d::Zero();
+    row.turn_b = rows.mass_b > 0 ? Vec3d(b.mobility_now * row.lever_b) : Vec3d::Zero();
+    row.inverse_mass =
+        rows.mass_a + rows.mass_b + row.lever_a.dot(row.turn_a) + row.lever_b.dot(row.turn_b);
+    row.value_m = value;
+  };
+  const Vec3d first = contact.normal.unitOrthogonal();
+  const Vec3d second = contact.normal.cross(first);
+  fill(rows.normal, contact.normal, gap - allowedGap(contact.before_m, bodies.dt_s()));
+  fill(rows.first, first, first.dot(slid));
+  fill(rows.second, second, second.dot(slid));
+}
+
+template <class Real>
+void IceContacts<Real>::apply(const Rows& rows, const Row& row, double multiplier) {
+  Move& a = moves_[rows.a];
+  a.by += (rows.mass_a * multiplier) * row.axis;
+  a.turn += multiplier * row.turn_a;
+  if (rows.b == kNone) return;
+  Move& b = moves_[rows.b];
+  b.by -= (rows.mass_b * multiplier) * row.axis;
+  b.turn -= multiplier * row.turn_b;
+}
+
+template <class Real>
+double IceContacts<Real>::violation(const Rows& rows, const Row& row) const {
+  const Move& a = moves_[rows.a];
+  double value = row.value_m + row.axis.dot(a.by) + row.lever_a.dot(a.turn);
+  if (rows.b == kNone) return value;
+  const Move& b = moves_[rows.b];
+  return value - row.axis.dot(b.by) - row.lever_b.dot(b.turn);
+}
+
+/// One contact: its normal first, then its friction within the cone that the normal leaves.
+/// @return how far it moved something, m
+template <class Real>
+double IceContacts<Real>::relax(const Rows& rows, Contact& contact) {
+  const Row& normal = rows.normal;
+  const double wanted = contact.pressed - violation(rows, normal) / normal.inverse_mass;
+  const double pressed = std::max(0.0, wanted);
+  double moved = std::abs(pressed - contact.pressed) * normal.inverse_mass;
+  if (pressed != contact.pressed) apply(rows, normal, pressed - contact.pressed);
+  contact.pressed = pressed;
+  if (contact.friction == 0 || (pressed == 0 && contact.rubbed.isZero(0))) return moved;
+
+  const double before_first = contact.rubbed.dot(rows.first.axis);
+  const double before_second = contact.rubbed.dot(rows.second.axis);
+  double first = before_first - violation(rows, rows.first) / rows.first.inverse_mass;
+  double second = before_second - violation(rows, rows.second) / rows.second.inverse_mass;
+  const double most = contact.friction * pressed;
+  const double size = std::hypot(first, second);
+  if (size > most) {
+    first *= most / size;
+    second *= most / size;
+  }
+  apply(rows, rows.first, first - before_first);
+  apply(rows, rows.second, second - before_second);
+  contact.rubbed = first * rows.first.axis + second * rows.second.axis;
+  moved = std::max(moved, std::abs(first - before_first) * rows.first.inverse_mass);
+  return std::max(moved, std::abs(second - before_second) * rows.second.inverse_mass);
+}
+
+/// A centre ends at c + dt v, so an impulse acts on its orbit where the substep began, but on its
+/// spin where the contact is now. What two bodies moved against each other meanwhile is a lever
+/// that makes angular momentum; each takes half of it back.
+template <class Real>
+void IceContacts<Real>::levelMomenta(IceBodies<Real>& bodies) {
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const Contact& contact = pairs_[k];
+    IceBody& a = bodies.body(contact.a);
+    IceBody& b = bodies.body(contact.b);
+    if (a.held() || b.held()) continue;
+    const Vec3d given =
+        contact.pressed * contact.normal + contact.rubbed - rows_[walls_.size() + k].given;
+    const Vec3d passed = (a.next.centre_m - a.pose.centre_m) - (b.next.centre_m - b.pose.centre_m);
+    const Vec3d turn = contact.met * passed.cross(given) / (2 * bodies.dt_s());
+    a.angular_momentum += turn;
+    b.angular_momentum += turn;
+  }
+}
+
+/// Forgets the moves of the bodies, and remembers how those with contacts turned so far.
+template <class Real>
+void IceContacts<Real>::beginMoves(const IceBodies<Real>& bodies) {
+  moves_.assign(bodies.count(), Move());
+  const auto touch = [&](Index b) {
+    if (b == kNone || moves_[b].touched) return;
+    const IceBody& body = bodies.body(b);
+    moves_[b].back = body.pose.turn * body.next.turn.transpose();
+    moves_[b].touched = true;
+  };
+  for (std::size_t k = 0; k < count(); ++k) {
+    touch(contactAt(k).a);
+    touch(contactAt(k).b);
+  }
+}
+
+/// Gives the bodies at once what the latest substep ended with.
+template <class Real>
+void IceContacts<Real>::applyWarm(const Rows& rows, Contact& contact) {
+  apply(rows, rows.normal, contact.pressed);
+  const double first = contact.rubbed.dot(rows.first.axis);
+  const double second = contact.rubbed.dot(rows.second.axis);
+  contact.rubbed = first * rows.first.axis + second * rows.second.axis;
+  apply(rows, rows.first, first);
+  apply(rows, rows.second, second);
+}
+
+/// Notes which bodies something that cannot give way carries, and which press on each other.
+template <class Real>
+void IceContacts<Real>::noteLoads(IceBodies<Real>& bodies) {
+  for (Index b = 0; b < bodies.count(); ++b) {
+    bodies.body(b).supported = false;
+    bodies.body(b).island = b;
+  }
+  const auto root = [&](Index b) {
+    while (bodies.body(b).island != b) {
+      b = bodies.body(b).island = bodies.body(bodies.body(b).island).island;
+    }
+    return b;
+  };
+  for (std::size_t k = 0; k < count(); ++k) {
+    const Contact& contact = contactAt(k);
+    if (contact.pressed == 0) continue;
+    IceBody& a = bodies.body(contact.a);
+    const bool wall = contact.b == kNone;
+    if (wall || bodies.body(contact.b).held()) {
+      a.supported = true;
+    } else if (a.held()) {
+      bodies.body(contact.b).supported = true;
+    } else {
+      const Index one = root(contact.a), other = root(contact.b);
+      bodies.body(std::max(one, other)).island = std::min(one, other);
+    }
+  }
+  for (Index b = 0; b < bodies.count(); ++b) bodies.body(b).island = root(b);
+}
+
+template <class Real>
+void IceContacts<Real>::solve(IceBodies<Real>& bodies, VectorField<Real>& predicted) {
+  const std::size_t contacts = count();
+  beginMoves(bodies);
+  rows_.resize(contacts);
+  for (std::size_t k = 0; k < contacts; ++k) {
+    Contact& contact = contactAt(k);
+    Rows& rows = rows_[k];
+    makeRows(bodies, contact, rows);
+    rows.given = warm_ ? Vec3d::Zero() : Vec3d(contact.pressed * contact.normal + contact.rubbed);
+    if (warm_) applyWarm(rows, contact);
+  }
+  warm_ = false;
+  const int sweeps = swept_.empty() ? kSweeps : kSweptSweeps;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    double moved = 0.0;
+    for (std::size_t k = 0; k < contacts; ++k) {
+      const std::size_t at = sweep % 2 == 0 ? k : contacts - 1 - k;
+      moved = std::max(moved, relax(rows_[at], contactAt(at)));
+    }
+    if (moved < kSettled_d * spacing_m_) break;
+  }
+  noteLoads(bodies);
+  if (!swept_.empty()) boundEnergy(bodies);
+  levelMomenta(bodies);
+  for (Index b = 0; b < bodies.count(); ++b) {
+    IceBody& body = bodies.body(b);
+    if (!moves_[b].touched || body.held()) continue;
+    body.push(moves_[b].by, moves_[b].turn, bodies.dt_s());
+  }
+  bodies.writePredicted(predicted, false);
+}
+
+template class IceContacts<float>;
+template class IceContacts<double>;
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,204 @@
+// Bodies of ice so fast that they would pass each other within a substep, which the neighbour lists
+// of its end do not tell: members that meet on the way are contacts.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "ice/ice_contacts.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Bodies that move less against each other in a substep, in spacings, are in the neighbour lists.
+constexpr double kFast_d = 0.5;
+
+/// Members that touch when the bodies have moved so much further, in spacings, hit as well.
+constexpr double kTogether_d = 0.1;
+
+/// Bound on how far any member goes in the substep, m.
+double travel(const IceBody& body) {
+  return (body.next.centre_m - body.pose.centre_m).norm() +
+         (body.next.turn - body.pose.turn).norm() * body.radius_m;
+}
+
+/// Share of a straight path after which it is within `reach_m` of the origin; 2 when it never is,
+/// or when it leaves from there.
+double meets(const Vec3d& from, const Vec3d& to, double reach_m) {
+  const Vec3d way = to - from;
+  const double b = from.dot(way);
+  if (b >= 0) return 2.0;
+  const double a = way.squaredNorm(), c = from.squaredNorm() - reach_m * reach_m;
+  if (c <= 0) return 0.0;
+  const double root = b * b - a * c;
+  return root < 0 ? 2.0 : (-b - std::sqrt(root)) / a;
+}
+
+/// Centre of a body on its way.
+Vec3d centreAt(const IceBody& body, double share) {
+  return body.pose.centre_m + share * (body.next.centre_m - body.pose.centre_m);
+}
+
+}  // namespace
+
+/// Pairs whose swept balls overlap along x, at least one of the two being fast.
+template <class Real>
+void IceContacts<Real>::findSwept(IceBodies<Real>& bodies) {
+  swept_.clear();
+  const double fast_m = kFast_d * spacing_m_;
+  std::vector<char> fast(bodies.count());
+  for (Index b = 0; b < bodies.count(); ++b) fast[b] = travel(bodies.body(b)) > fast_m;
+  if (bodies.count() < 2 || std::find(fast.begin(), fast.end(), 1) == fast.end()) return;
+  const double half = contact_m_ / 2;
+  const auto low = [&](Index b) {
+    const IceBody& body = bodies.body(b);
+    return std::min(body.pose.centre_m.x(), body.next.centre_m.x()) - body.radius_m - half;
+  };
+  const auto high = [&](Index b) {
+    const IceBody& body = bodies.body(b);
+    return std::max(body.pose.centre_m.x(), body.next.centre_m.x()) + body.radius_m + half;
+  };
+  std::vector<Index> by_x(bodies.count());
+  std::iota(by_x.begin(), by_x.end(), Index(0));
+  std::sort(by_x.begin(), by_x.end(), [&](Index a, Index b) { return low(a) < low(b); });
+  for (auto a = by_x.begin(); a != by_x.end(); ++a) {
+    const double end = high(*a);
+    for (auto b = a + 1; b != by_x.end() && low(*b) <= end; ++b) {
+      if (fast[*a] || fast[*b]) sweepPair(bodies, std::min(*a, *b), std::max(*a, *b));
+    }
+  }
+}
+
+/// Adds the members of two bodies that meet first.
+template <class Real>
+void IceContacts<Real>::sweepPair(IceBodies<Real>& bodies, Index ka, Index kb) {
+  const IceBody& a = bodies.body(ka);
+  const IceBody& b = bodies.body(kb);
+  if (a.anchor != kNone && b.anchor != kNone) return;
+  const Vec3d before = a.pose.centre_m - b.pose.centre_m, after = a.next.centre_m - b.next.centre_m;
+  const double reach = a.radius_m + b.radius_m + contact_m_;
+  const double nearest = before.norm() <= reach ? 0.0 : meets(before, after, reach);
+  if (nearest > 1) return;
+
+  const std::size_t first = swept_.size();
+  double soonest = 1.0;
+  for (Index m = a.first; m < a.surface_last; ++m) {
+    const Vec3d from = a.pose.at(bodies.offset(m)), to = a.next.at(bodies.offset(m));
+    const double near_b = b.radius_m + contact_m_;
+    const Vec3d start = from - b.pose.centre_m;
+    if (start.norm() > near_b && meets(start, to - b.next.centre_m, near_b) > 1) continue;
+    for (Index n = b.first; n < b.surface_last; ++n) {
+      const Vec3d was = from - b.pose.at(bodies.offset(n)), is = to - b.next.at(bodies.offset(n));
+      const double way = (is - was).norm();
+      if (way < kFast_d * spacing_m_) continue;
+      const double met = meets(was, is, contact_m_);
+      const double slack = kTogether_d * spacing_m_ / way;
+      if (met > soonest + slack) continue;
+      soonest = std::min(soonest, met);
+      const Vec3d line = was + met * (is - was);
+      if (line.norm() < 1e-6 * spacing_m_) continue;
+      const Vec3d normal = line.normalized();
+      const Vec3d touch = from + met * (to - from) - line / 2;
+      Contact contact{(std::uint64_t(m) << 32) | n,
+                      ka,
+                      kb,
+                      m,
+                      n,
+                      kNone,
+                      normal,
+                      Vec3d::Zero(),
+                      normal.dot(is) - contact_m_,
+                      normal.dot(was) - contact_m_,
+                      0.0};
+      contact.swept = true;
+      contact.met = met;
+      contact.arm_a = touch - centreAt(a, met);
+      contact.arm_b = touch - centreAt(b, met);
+      swept_.push_back(contact);
+    }
+  }
+  const auto late = [&](const Contact& contact) {
+    return contact.met > soonest + kTogether_d * spacing_m_ / (after - before).norm();
+  };
+  swept_.erase(std::remove_if(swept_.begin() + std::ptrdiff_t(first), swept_.end(), late),
+               swept_.end());
+  if (swept_.size() == first) return;
+  if (a.asleep) bodies.wakeInFlight(ka);
+  if (b.asleep) bodies.wakeInFlight(kb);
+}
+
+/// Puts what was met on the way among the contacts, in place of what the end of it shows.
+template <class Real>
+void IceContacts<Real>::addSwept() {
+  if (swept_.empty()) return;
+  const auto before = [](const Contact& s, const Contact& t) { return s.key < t.key; };
+  std::sort(swept_.begin(), swept_.end(), before);
+  const auto again = [&](const Contact& contact) {
+    return std::any_of(swept_.begin(), swept_.end(), [&](const Contact& swept) {
+      return swept.a == contact.a && swept.b == contact.b;
+    });
+  };
+  pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), again), pairs_.end());
+  const std::ptrdiff_t known = std::ptrdiff_t(pairs_.size());
+  pairs_.insert(pairs_.end(), swept_.begin(), swept_.end());
+  std::inplace_merge(pairs_.begin(), pairs_.begin() + known, pairs_.end(), before);
+}
+
+/// Bodies that turn far in a substep and lie in each other ask for moves that no collision gives.
+/// Takes so much of the impulses in an island with something swept that they make no energy; as
+/// each acts on two bodies at one point, both momenta stay. What moves on its own does work.
+template <class Real>
+void IceContacts<Real>::boundEnergy(const IceBodies<Real>& bodies) {
+  const auto islandOf = [&](const Contact& contact) {
+    const bool other = bodies.body(contact.a).held() && contact.b != kNone;
+    return bodies.body(other ? contact.b : contact.a).island;
+  };
+  const auto moves = [&](const Contact& contact) {
+    if (contact.b == kNone) return faces_.moves(contact.collider);
+    return bodies.body(contact.a).anchor != kNone || bodies.body(contact.b).anchor != kNone;
+  };
+  std::vector<char> bound(bodies.count(), 0);
+  for (const Contact& contact : pairs_) {
+    if (contact.swept) bound[islandOf(contact)] = 1;
+  }
+  for (std::size_t k = 0; k < count(); ++k) {
+    if (moves(contactAt(k))) bound[islandOf(contactAt(k))] = 0;
+  }
+
+  // The energy is quadratic in the share s of the impulses: s linear + s^2 square / 2.
+  std::vector<double> linear(bodies.count(), 0.0), square(bodies.count(), 0.0);
+  for (Index b = 0; b < bodies.count(); ++b) {
+    const IceBody& body = bodies.body(b);
+    if (!moves_[b].touched || body.held()) continue;
+    const Move& move = moves_[b];
+    const Vec3d spun = body.next.turn * (body.inertia * (body.next.turn.transpose() * move.turn));
+    linear[body.island] +=
+        bodies.dt_s() * (body.mass_kg * body.velocity_m_s.dot(move.by) + body.spin().dot(spun));
+    square[body.island] += body.mass_kg * move.by.squaredNorm() + move.turn.dot(spun);
+  }
+  const auto share = [&](Index island) {
+    if (!bound[island] || linear[island] + square[island] / 2 <= 0) return 1.0;
+    return std::max(0.0, -linear[island] / square[island]);
+  };
+  for (Index b = 0; b < bodies.count(); ++b) {
+    moves_[b].by *= share(bodies.body(b).island);
+    moves_[b].turn *= share(bodies.body(b).island);
+  }
+  for (std::size_t k = 0; k < count(); ++k) {
+    Contact& contact = contactAt(k);
+    const double s = share(islandOf(contact));
+    const Vec3d& given = rows_[k].given;
+    const double pressed = given.dot(contact.normal);
+    contact.rubbed = s * contact.rubbed + (1 - s) * (given - pressed * contact.normal);
+    contact.pressed = s * contact.pressed + (1 - s) * pressed;
+  }
+}
+
+template void IceContacts<float>::findSwept(IceBodies<float>&);
+template void IceContacts<double>::findSwept(IceBodies<double>&);
+template void IceContacts<float>::addSwept();
+template void IceContacts<double>::addSwept();
+template void IceContacts<float>::boundEnergy(const IceBodies<float>&);
+template void IceContacts<double>::boundEnergy(const IceBodies<double>&);
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,312 @@
+#include "ice/ice_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "colliders/collider_faces.h"
+#include "particles/kernels.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Largest turn of a substep: beyond it straight paths of members say nothing of where they went.
+constexpr double kMaxTurn_rad = 1.0;
+
+/// How long a body must have been slow before it sleeps.
+constexpr double kStill_s = 0.5;
+
+Placement placementOf(const Posed& pose) {
+  return {pose.position, Eigen::Quaterniond(pose.rotation)};
+}
+
+}  // namespace
+
+template <class Real>
+IceBodies<Real>::IceBodies(const Scene& scene)
+    : particle_kg_(particleMass_kg(scene.fluid, scene.supportRadius_m())),
+      radius_m_(scene.fluid.spacing_m / 2),
+      sleep_speed_m_s_(scene.ice.sleep_speed_m_s),
+      max_speed_m_s_(scene.solver.max_speed_m_s) {}
+
+template <class Real>
+void IceBodies<Real>::reorder(const std::vector<Index>& order) {
+  if (bodies_.empty()) return;
+  old_member_at_.swap(member_at_);
+  member_at_.resize(order.size());
+  parallelFor(order.size(), [&](std::size_t k) {
+    const Index member = old_member_at_[order[k]];
+    member_at_[k] = member;
+    if (member != kNone) place_[member] = static_cast<Index>(k);
+  });
+}
+
+template <class Real>
+template <class Visit>
+void IceBodies<Real>::forEachChunk(const Visit& visit) const {
+  const std::size_t batches = batches_.empty() ? 0 : batches_.size() - 1;
+  parallelForRanges(
+      batches,
+      [&](std::size_t first, std::size_t last) {
+        for (Index c = batches_[first]; c < batches_[last]; ++c) visit(c, chunks_[c]);
+      },
+      1);
+}
+
+/// A body above the speed limit, or one that would turn too far, is slowed; one whose momenta are
+/// not finite rests.
+template <class Real>
+void IceBodies<Real>::limit(IceBody& body) {
+  const Vec3d spin = body.spinAt(body.pose.turn);
+  const double fastest = body.velocity_m_s.norm() + spin.norm() * body.radius_m;
+  const double turn = spin.norm() * dt_s_;
+  bool limited = !std::isfinite(fastest);
+  if (limited) body.stop();
+  if (fastest > max_speed_m_s_) {
+    body.velocity_m_s *= max_speed_m_s_ / fastest;
+    body.angular_momentum *= max_speed_m_s_ / fastest;
+    limited = true;
+  }
+  if (turn > kMaxTurn_rad) {
+    body.angular_momentum *= kMaxTurn_rad / turn;
+    // The spin of a single particle moves nothing, so nobody needs to know of it.
+    limited = limited || body.count() > 1;
+  }
+  if (limited) limited_.fetch_add(1, std::memory_order_relaxed);
+}
+
+/// Where the collider that carries a body has it.
+template <class Real>
+Placement IceBodies<Real>::held(const IceBody& body, const Colliders<Real>& colliders) const {
+  const Placement carrier =
+      placementOf(motionOf(colliders, body.anchor).to.template cast<double>());
+  return {carrier.at(body.hold.centre_m), carrier.rotation * body.hold.rotation};
+}
+
+/// Moves a body with the collider that carries it.
+template <class Real>
+void IceBodies<Real>::follow(IceBody& body, const Colliders<Real>& colliders) const {
+  body.moveTo(held(body, colliders));
+  body.velocity_m_s = (body.next.centre_m - body.pose.centre_m) / dt_s_;
+  const Eigen::AngleAxisd turn(body.next.rotation * body.pose.rotation.conjugate());
+  const Vec3d spin = turn.axis() * (turn.angle() / dt_s_);
+  body.angular_momentum = body.next.turn * (body.inertia * (body.next.turn.transpose() * spin));
+}
+
+template <class Real>
+void IceBodies<Real>::fly(IceBody& body) {
+  body.velocity_m_s += dt_s_ * gravity_m_s2_;
+  limit(body);
+  body.moveTo(body.flight(dt_s_));
+}
+
+template <class Real>
+void IceBodies<Real>::predict(Particles<Real>& particles, const Colliders<Real>& colliders,
+                              const Vec3d& gravity_m_s2, double dt_s) {
+  dt_s_ = dt_s;
+  gravity_m_s2_ = gravity_m_s2;
+  parallelFor(bodies_.size(), [&](std::size_t b) {
+    IceBody& body = bodies_[b];
+    if (body.anchor != kNone) {
+      follow(body, colliders);
+    } else if (body.asleep) {
+      body.moveTo(body.pose);
+    } else {
+      fly(body);
+    }
+  });
+  writePredicted(particles.predicted);
+}
+
+template <class Real>
+void IceBodies<Real>::writePredicted(VectorField<Real>& predicted, bool all) const {
+  forEachChunk([&](Index, const Chunk& chunk) {
+    const IceBody& body = bodies_[chunk.body];
+    if (!all && body.held()) return;
+    for (Index m = chunk.first; m < chunk.last; ++m) {
+      predicted.set(place_[m], body.next.at(offset_[m]).template cast<Real>());
+    }
+  });
+}
+
+/// Sums of difference(member, arm), m or m/s, over every chunk, in the order of the members.
+template <class Real>
+template <class Difference>
+void IceBodies<Real>::sumMoments(const Difference& difference) {
+  moments_.resize(chunks_.size());
+  forEachChunk([&](Index c, const Chunk& chunk) {
+    const IceBody& body = bodies_[chunk.body];
+    Moment moment{Vec3d::Zero(), Vec3d::Zero()};
+    for (Index m = chunk.first; m < chunk.last; ++m) {
+      const Vec3d arm = body.next.turn * offset_[m];
+      const Vec3d by = difference(body, m, arm);
+      moment.sum += by;
+      moment.turn += arm.cross(by);
+    }
+    moments_[c] = moment;
+  });
+}
+
+template <class Real>
+void IceBodies<Real>::conform(VectorField<Real>& predicted) {
+  sumMoments([&](const IceBody& body, Index m, const Vec3d& arm) {
+    // Against the rounded pose, so that what nobody moved adds nothing.
+    const Vec3<Real> rigid = (body.next.centre_m + arm).template cast<Real>();
+    return (predicted.at(place_[m]) - rigid).template cast<double>().eval();
+  });
+  for (std::size_t c = 0; c < chunks_.size();) {
+    IceBody& body = bodies_[chunks_[c].body];
+    Moment moment = moments_[c];
+    for (++c; c < chunks_.size() && chunks_[c].first < body.last; ++c) {
+      moment.sum += moments_[c].sum;
+      moment.turn += moments_[c].turn;
+    }
+    if (body.held() || (moment.sum.isZero(0) && moment.turn.isZero(0))) continue;
+    body.push(moment.sum / double(body.count()), body.mobility_now * (particle_kg_ * moment.turn),
+              dt_s_);
+  }
+  writePredicted(predicted);
+}
+
+template <class Real>
+void IceBodies<Real>::finish(Particles<Real>& particles) {
+  parallelFor(bodies_.size(), [&](std::size_t b) {
+    IceBody& body = bodies_[b];
+    body.pose = body.next;
+    if (!body.held()) limit(body);
+    body.speed_m_s = body.fastest_m_s();
+  });
+  forEachChunk([&](Index, const Chunk& chunk) {
+    const IceBody& body = bodies_[chunk.body];
+    const Vec3d spin = body.spin();
+    for (Index m = chunk.first; m < chunk.last; ++m) {
+      const Vec3d arm = body.next.turn * offset_[m];
+      const Vec3<Real> x = (body.next.centre_m + arm).template cast<Real>();
+      particles.predicted.set(place_[m], x);
+      particles.position.set(place_[m], x);
+      particles.velocity.set(place_[m],
+                             (body.velocity_m_s + spin.cross(arm)).template cast<Real>());
+    }
+  });
+}
+
+template <class Real>
+void IceBodies<Real>::takeVelocities(Particles<Real>& particles) {
+  const auto rigid = [](const IceBody& body, const Vec3d& spin, const Vec3d& arm) {
+    return (body.velocity_m_s + spin.cross(arm)).template cast<Real>().eval();
+  };
+  sumMoments([&](const IceBody& body, Index m, const Vec3d& arm) {
+    const Vec3<Real> change = particles.velocity.at(place_[m]) - rigid(body, body.spin(), arm);
+    return change.template cast<double>().eval();
+  });
+  for (std::size_t c = 0; c < chunks_.size(); ++c) {
+    IceBody& body = bodies_[chunks_[c].body];
+    if (body.held()) continue;
+    body.velocity_m_s += moments_[c].sum / double(body.count());
+    body.angular_momentum += particle_kg_ * moments_[c].turn;
+  }
+  forEachChunk([&](Index, const Chunk& chunk) {
+    const IceBody& body = bodies_[chunk.body];
+    const Vec3d spin = body.spin();
+    for (Index m = chunk.first; m < chunk.last; ++m) {
+      particles.velocity.set(place_[m], rigid(body, spin, body.next.turn * offset_[m]));
+    }
+  });
+}
+
+template <class Real>
+void IceBodies<Real>::carry(const std::vector<Jump<Real>>& jumps,
+                            const Colliders<Real>& colliders) {
+  for (IceBody& body : bodies_) {
+    for (const Jump<Real>& jump : jumps) {
+      const Placement from = placementOf(jump.motion.from.template cast<double>());
+      const Placement to = placementOf(jump.motion.to.template cast<double>());
+      const Vec3d local = from.turn.transpose() * (body.pose.centre_m - from.centre_m);
+      const bool within = body.anchor == kNone && jump.number < colliders.containers.size() &&
+                          colliders.containers[jump.number].shape.inside(local.cast<Real>());
+      if (!within && body.anchor != jump.number) continue;
+      const Eigen::Quaterniond turn = to.rotation * from.rotation.conjugate();
+      body.moveTo(within ? Placement(to.at(local), turn * body.pose.rotation)
+                         : held(body, colliders));
+      body.pose = body.next;
+      body.velocity_m_s = turn * body.velocity_m_s;
+      body.angular_momentum = turn * body.angular_momentum;
+      break;
+    }
+  }
+}
+
+template <class Real>
+void IceBodies<Real>::anchor(Index b, Index collider, const Colliders<Real>& colliders) {
+  IceBody& body = bodies_[b];
+  if (body.anchor == collider) return;
+  const Placement carrier = placementOf(motionOf(colliders, collider).to.template cast<double>());
+  const Eigen::Quaterniond back = carrier.rotation.conjugate();
+  body.hold = {back * (body.pose.centre_m - carrier.centre_m), back * body.pose.rotation};
+  body.anchor = collider;
+  body.asleep = false;
+}
+
+/// Whether anything of a body touches water.
+template <class Real>
+bool IceBodies<Real>::isWet(const IceBody& body, const std::vector<std::uint8_t>& wet) const {
+  if (wet.empty()) return false;
+  const auto begin = place_.begin();
+  return std::any_of(begin + body.first, begin + body.surface_last,
+                     [&](Index i) { return wet[i] != 0; });
+}
+
+/// Bodies that press on each other sleep together: a sleeper bears no weight on what lies below it.
+template <class Real>
+void IceBodies<Real>::updateSleep(const std::vector<std::uint8_t>& wet, double time_s) {
+  islands_.assign(bodies_.size(), {kStill_s, false});
+  parallelFor(bodies_.size(), [&](std::size_t b) {
+    IceBody& body = bodies_[b];
+    if (body.anchor != kNone) return;
+    const bool calm = body.asleep || body.speed_m_s < sleep_speed_m_s_;
+    body.still_s = calm && !isWet(body, wet) ? body.still_s + time_s : 0.0;
+    if (body.still_s == 0.0) body.asleep = false;
+  });
+  const auto islandOf = [&](Index b) -> Island& {
+    return islands_[bodies_[b].island < bodies_.size() ? bodies_[b].island : b];
+  };
+  for (Index b = 0; b < bodies_.size(); ++b) {
+    if (bodies_[b].held()) continue;
+    Island& island = islandOf(b);
+    island.still_s = std::min(island.still_s, bodies_[b].still_s);
+    island.supported = island.supported || bodies_[b].supported;
+  }
+  for (Index b = 0; b < bodies_.size(); ++b) {
+    const Island& island = islandOf(b);
+    if (bodies_[b].held() || !island.supported || island.still_s < kStill_s) continue;
+    bodies_[b].asleep = true;
+    bodies_[b].stop();
+  }
+}
+
+template <class Real>
+void IceBodies<Real>::wakeAll() {
+  for (IceBody& body : bodies_) {
+    body.asleep = false;
+    body.still_s = 0.0;
+  }
+}
+
+template <class Real>
+void IceBodies<Real>::wakeInFlight(Index b) {
+  bodies_[b].asleep = false;
+  bodies_[b].still_s = 0.0;
+  fly(bodies_[b]);
+}
+
+template <class Real>
+std::size_t IceBodies<Real>::asleep() const {
+  return static_cast<std::size_t>(std::count_if(bodies_.begin(), bodies_.end(),
+                                                [](const IceBody& body) { return body.asleep; }));
+}
+
+template class IceBodies<float>;
+template class IceBodies<double>;
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,43 @@
+#include "ice/ice_body.h"
+
+#include <cmath>
+
+namespace ice_ice_baby {
+
+Eigen::Quaterniond rotationBy(const Vec3d& angle_rad) {
+  const double angle = angle_rad.norm();
+  const double half = angle / 2;
+  // sin(a) / a to the last bit where a division would lose all of them.
+  const double scale = angle > 1e-6 ? std::sin(half) / angle : 0.5 - angle * angle / 48;
+  const Vec3d axis = scale * angle_rad;
+  return {std::cos(half), axis.x(), axis.y(), axis.z()};
+}
+
+void IceBody::moveTo(const Placement& placement) {
+  next = placement;
+  mobility_now = next.turn * mobility * next.turn.transpose();
+}
+
+void IceBody::push(const Vec3d& by_m, const Vec3d& turn_rad, double dt_s) {
+  velocity_m_s += by_m / dt_s;
+  angular_momentum += next.turn * (inertia * (next.turn.transpose() * turn_rad)) / dt_s;
+  moveTo({next.centre_m + by_m, rotationBy(turn_rad) * next.rotation});
+}
+
+Placement IceBody::flight(double dt_s) const {
+  // Each pass of the implicit rule shrinks its error by the turn of the substep.
+  constexpr int kPasses = 3;
+  Vec3d mean_spin = spinAt(pose.turn);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const Eigen::Quaterniond half = rotationBy(mean_spin * (dt_s / 2)) * pose.rotation;
+    mean_spin = spinAt(half.toRotationMatrix());
+  }
+  return {pose.centre_m + dt_s * velocity_m_s, rotationBy(dt_s * mean_spin) * pose.rotation};
+}
+
+void IceBody::stop() {
+  velocity_m_s.setZero();
+  angular_momentum.setZero();
+}
+
+}  // namespace ice_ice_baby

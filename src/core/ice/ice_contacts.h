@@ -1,0 +1,171 @@
+// Contacts of bodies of ice with colliders and with each other: non-penetration and Coulomb
+// friction by projected Gauss-Seidel on positions (XPBD without compliance, Mueller et al. 2020,
+// "Detailed rigid body simulation with extended position based dynamics"), no restitution.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "colliders/collider_faces.h"
+#include "ice/ice_bodies.h"
+
+namespace ice_ice_baby {
+
+template <class Real>
+class IceContacts {
+ public:
+  explicit IceContacts(const Scene& scene);
+
+  /// Finds the contacts of a substep, after predict and, for bodies among each other, after the
+  /// neighbour search; wakes sleeping bodies that something moving touches.
+  void find(IceBodies<Real>& bodies, const VectorField<Real>& predicted,
+            const Neighbours<Real>& neighbours, const Colliders<Real>& colliders);
+
+  /// Moves bodies until no contact is violated and rubs what slides; the impulses go into their
+  /// momenta. Multipliers start from those of the latest substep. Writes the predicted positions of
+  /// all members that are not held.
+  void solve(IceBodies<Real>& bodies, VectorField<Real>& predicted);
+
+  /// Ends the substep: a body that is still deep inside a collider, or not finite, goes back to
+  /// where it was and loses its momenta. Writes its members.
+  void contain(IceBodies<Real>& bodies, VectorField<Real>& predicted);
+
+  /// Between two substeps puts loose bodies that lie in a collider beside it, without momentum.
+  void expel(IceBodies<Real>& bodies, const Colliders<Real>& colliders);
+
+  /// Contacts of the present substep.
+  std::size_t count() const { return walls_.size() + pairs_.size(); }
+  /// Bodies that `contain` put back so far.
+  std::uint64_t limited() const { return limited_; }
+  std::size_t bytes() const;
+
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.walls_, self.pairs_, self.dormant_walls_, self.dormant_pairs_, self.candidates_,
+            self.generation_, self.builds_, self.dt_s_);
+  }
+  /// @throws InvalidInput when what was read touches other than these bodies
+  void settle(const IceBodies<Real>& bodies) const;
+
+ private:
+  /// One member at a face of a collider, or two members of different bodies.
+  struct Contact {
+    std::uint64_t key;  ///< rises along each list; the same contact has the same in every substep
+    Index a, b;         ///< bodies; b: kNone for a collider
+    Index member_a, member_b;
+    Index collider;
+    Vec3d normal;     ///< towards a
+    Vec3d point;      ///< of the face, for a collider
+    double gap_m;     ///< when it was found
+    double before_m;  ///< with which the substep began
+    double friction;
+    double pressed = 0;            ///< multiplier of the normal, kg m: its force times dt^2
+    Vec3d rubbed = Vec3d::Zero();  ///< those of the two tangents
+    bool swept = false;            ///< met on the way and passed since, where the arms tell
+    double met = 1.0;              ///< share of the substep after which it touches
+    Vec3d arm_a = Vec3d::Zero(), arm_b = Vec3d::Zero();  ///< from the centres, m, if swept
+
+    /// What the next substep takes over.
+    template <class Self, class Archive>
+    static void exchange(Self& self, Archive& archive) {
+      archive(self.key, self.a, self.b, self.member_a, self.member_b, self.pressed, self.rubbed,
+              self.swept);
+    }
+  };
+  /// One direction of a contact, linear in the moves of its bodies.
+  struct Row {
+    Vec3d axis;
+    Vec3d lever_a, lever_b;  ///< arm x axis
+    Vec3d turn_a, turn_b;    ///< turn of a unit multiplier
+    double inverse_mass;     ///< generalised, 1/kg
+    double value_m;          ///< at no move
+  };
+  struct Rows {
+    Row normal, first, second;
+    double mass_a, mass_b;  ///< inverse, 1/kg; 0 for what gives way to nothing
+    Index a, b;             ///< bodies
+    Vec3d given;            ///< multipliers that the momenta have already
+  };
+  /// Displacement and turn of a body since the rows were made.
+  struct Move {
+    Vec3d by = Vec3d::Zero();
+    Vec3d turn = Vec3d::Zero();
+    Mat3<double> back = Mat3<double>::Identity();  ///< rotation from `next` to `pose`
+    bool touched = false;
+  };
+  /// Members of different bodies that may meet while the neighbour lists last.
+  struct Candidate {
+    Index a, b;  ///< members, a < b
+
+    template <class Self, class Archive>
+    static void exchange(Self& self, Archive& archive) {
+      archive(self.a, self.b);
+    }
+  };
+
+  Contact& contactAt(std::size_t k) {
+    return k < walls_.size() ? walls_[k] : pairs_[k - walls_.size()];
+  }
+
+  void followMembers(const IceBodies<Real>& bodies);
+  void findWalls(const IceBodies<Real>& bodies);
+  void wakeByColliders(IceBodies<Real>& bodies);
+  void wakeByBodies(IceBodies<Real>& bodies);
+  void findCandidates(const IceBodies<Real>& bodies, const VectorField<Real>& predicted,
+                      const Neighbours<Real>& neighbours);
+  void findSwept(IceBodies<Real>& bodies);
+  void sweepPair(IceBodies<Real>& bodies, Index a, Index b);
+  void addSwept();
+  void addPair(const IceBodies<Real>& bodies, const Candidate& candidate);
+  Vec3d normalBetween(const Vec3d& bare_a, const Vec3d& bare_b, const Vec3d& now,
+                      const Vec3d& before) const;
+  void layDown(const IceBodies<Real>& bodies, const std::vector<Contact>& before,
+               std::vector<Contact>& dormant);
+  void startWarm(std::vector<Contact>& contacts, const std::vector<Contact>& before, double ratio);
+  void keepSupports(const IceBodies<Real>& bodies, std::vector<Contact>& contacts);
+  bool keepFace(const IceBodies<Real>& bodies, const std::vector<Contact>& contacts,
+                std::size_t first, std::size_t last);
+  void makeRows(const IceBodies<Real>& bodies, const Contact& contact, Rows& rows) const;
+  void apply(const Rows& rows, const Row& row, double multiplier);
+  double violation(const Rows& rows, const Row& row) const;
+  double relax(const Rows& rows, Contact& contact);
+  void beginMoves(const IceBodies<Real>& bodies);
+  void applyWarm(const Rows& rows, Contact& contact);
+  void noteLoads(IceBodies<Real>& bodies);
+  void boundEnergy(const IceBodies<Real>& bodies);
+  void levelMomenta(IceBodies<Real>& bodies);
+  double movedSinceFound(const IceBody& body, Index b) const;
+  bool deepInside(const IceBodies<Real>& bodies, const Contact& contact) const;
+  void markOut(Index b, Index collider);
+  void checkAll(const IceBodies<Real>& bodies, Index b);
+  Vec3d longestPush(const IceBodies<Real>& bodies, Index b) const;
+  void putBack(IceBodies<Real>& bodies, Index b);
+
+  double spacing_m_;
+  double contact_m_;  ///< distance that members of two bodies keep
+  double friction_;   ///< of ice on ice
+  double margin_m_;   ///< what is so near is a contact before it is touched
+  ColliderFaces faces_;
+  std::vector<Contact> walls_, pairs_;
+  std::vector<Contact> old_walls_, old_pairs_;
+  std::vector<Contact> swept_;  ///< of bodies that would pass each other in this substep
+  std::vector<Contact> dormant_walls_, dormant_pairs_;  ///< of what sleeps
+  std::vector<Rows> rows_;
+  std::vector<Move> moves_;       ///< (bodies)
+  std::vector<Placement> found_;  ///< (bodies) `next` when contacts were found
+  std::vector<Candidate> candidates_;
+  std::vector<Index> near_;  ///< colliders near a body
+  enum Stay : char { kOpen, kStays, kDropped };
+  std::vector<char> stays_;        ///< of the contacts of one body, a Stay
+  std::vector<std::size_t> face_;  ///< contacts of one face
+  std::vector<Vec3d> plane_;       ///< along the face, across it, and the gap, m
+  std::vector<char> out_;          ///< (bodies) whether contain has to put it back
+  std::vector<Index> carrier_;     ///< (bodies) collider that then carries it
+  std::size_t generation_ = 0;
+  std::size_t builds_ = 0;
+  double dt_s_ = 0;
+  bool warm_ = false;
+  std::uint64_t limited_ = 0;
+};
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,310 @@
+// Which particles a body of ice is made of, and what it takes over when that changes.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "ice/ice_bodies.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// A sum over so many members is one task.
+constexpr Index kChunk = 1024;
+
+/// To the faces and the corners of a cube: no direction is further than 36.3 degrees from one.
+const std::array<Vec3d, 14>& lookouts() {
+  static const std::array<Vec3d, 14> directions = [] {
+    std::array<Vec3d, 14> all;
+    for (int k = 0; k < 6; ++k) all[k] = Vec3d::Unit(k / 2) * (k % 2 ? 1.0 : -1.0);
+    for (int k = 0; k < 8; ++k) {
+      all[k + 6] = Vec3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1).normalized();
+    }
+    return all;
+  }();
+  return directions;
+}
+
+/// Within 46 degrees of a lookout: where each of them is taken, every direction has a neighbour
+/// less than a right angle away, so that nothing flat can touch the particle.
+constexpr double kLookoutCosine = 0.7;
+
+/// Neighbours up to so many spacings away can hide a particle.
+constexpr double kHideReach_d = 1.85;
+
+/// Bodies of up to so many particles may lie in a row.
+constexpr Index kFew = 4;
+
+}  // namespace
+
+/// Inertia of a particle about its own centre, without which a row of them could spin about its
+/// axis for nothing: that of a ball among few, so little among many that what their body spins is
+/// what its particles carry. Alone so much that it does not turn: a grain of ice lies where a ball
+/// would roll away.
+template <class Real>
+double IceBodies<Real>::ownInertia(Index count) const {
+  const double share = count == 1 ? 1e6 : count <= kFew ? 1.0 : 0.04;
+  return share * 0.4 * particle_kg_ * radius_m_ * radius_m_;
+}
+
+/// @return whether some body changes
+template <class Real>
+bool IceBodies<Real>::gatherGroups(const std::vector<Index>& label) {
+  group_of_label_.assign(label.size(), kNone);
+  groups_.clear();
+  for (Index i = 0; i < label.size(); ++i) {
+    if (label[i] == kNone) continue;
+    Index& g = group_of_label_[label[i]];
+    if (g == kNone) {
+      g = static_cast<Index>(groups_.size());
+      groups_.push_back({0, bodyOf(i), true, 0});
+    }
+    Group& group = groups_[g];
+    ++group.count;
+    group.kept = group.kept && bodyOf(i) == group.was;
+  }
+  bool same = groups_.size() == bodies_.size();
+  for (Group& group : groups_) {
+    group.kept = group.kept && group.was != kNone && group.count == bodies_[group.was].count();
+    same = same && group.kept;
+  }
+  return !same;
+}
+
+/// Copies the bodies that stay, in their order, from the old arrays.
+template <class Real>
+void IceBodies<Real>::keepBodies() {
+  stays_.assign(old_bodies_.size(), 0);
+  for (const Group& group : groups_) {
+    if (group.kept) stays_[group.was] = 1;
+  }
+  for (Index b = 0; b < old_bodies_.size(); ++b) {
+    if (!stays_[b]) continue;
+    const IceBody& old = old_bodies_[b];
+    IceBody body = old;
+    body.island = kNone;
+    body.first = static_cast<Index>(place_.size());
+    body.last = body.first + static_cast<Index>(old.count());
+    body.surface_last = body.first + (old.surface_last - old.first);
+    for (Index m = old.first; m < old.last; ++m) {
+      renumbered_[m] = static_cast<Index>(place_.size());
+      place_.push_back(old_place_[m]);
+      offset_.push_back(old_offset_[m]);
+      outward_.push_back(old_outward_[m]);
+      body_of_.push_back(static_cast<Index>(bodies_.size()));
+    }
+    bodies_.push_back(body);
+  }
+}
+
+/// What the members first ... last - 1 are together. Those that were in a body bring its exact pose
+/// and velocity, not what rounding left of them, and their share of its spin.
+template <class Real>
+void IceBodies<Real>::makeBody(const Particles<Real>& particles, Index first, Index last) {
+  IceBody body;
+  body.first = first;
+  body.last = last;
+  body.mass_kg = particle_kg_ * double(last - first);
+  const auto oldBody = [&](Index m) -> const IceBody* {
+    const Index was = old_member_at_.empty() ? kNone : old_member_at_[place_[m]];
+    return was == kNone ? nullptr : &old_bodies_[old_body_of_[was]];
+  };
+  const auto velocity = [&](Index m, const IceBody* old) -> Vec3d {
+    if (!old) return particles.velocity.at(place_[m]).template cast<double>();
+    return old->velocity_m_s + old->spin().cross(offset_[m] - old->pose.centre_m);
+  };
+  Vec3d centre = Vec3d::Zero(), speed = Vec3d::Zero();
+  for (Index m = first; m < last; ++m) {
+    const IceBody* old = oldBody(m);
+    offset_[m] = old ? old->pose.at(old_offset_[old_member_at_[place_[m]]])
+                     : particles.position.at(place_[m]).template cast<double>().eval();
+    centre += offset_[m];
+    speed += velocity(m, old);
+  }
+  centre /= double(last - first);
+  body.velocity_m_s = speed / double(last - first);
+  const double own = ownInertia(last - first);
+  for (Index m = first; m < last; ++m) {
+    const IceBody* old = oldBody(m);
+    const Vec3d arm = offset_[m] - centre;
+    body.angular_momentum += particle_kg_ * arm.cross(velocity(m, old) - body.velocity_m_s);
+    if (old) {
+      const Index company = old->last - old->first;
+      body.angular_momentum += ownInertia(company) * old->spin();
+    }
+    body.inertia +=
+        particle_kg_ * (arm.squaredNorm() * Mat3<double>::Identity() - arm * arm.transpose());
+    body.radius_m = std::max(body.radius_m, arm.norm());
+  }
+  for (Index m = first; m < last; ++m) offset_[m] -= centre;
+  body.inertia += own * double(last - first) * Mat3<double>::Identity();
+  body.mobility = body.inertia.inverse();
+  body.pose = {centre, Eigen::Quaterniond::Identity()};
+  body.moveTo(body.pose);
+  body.speed_m_s = body.fastest_m_s();
+  bodies_.push_back(body);
+}
+
+/// Notes where particle i lies bare: IceBodies::outward.
+/// @return whether it is hidden among particles of its label, so that nothing can touch it
+template <class Real>
+bool IceBodies<Real>::lookAround(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
+                                 const std::vector<Index>& label, Index i) {
+  constexpr unsigned kHidden = (1u << 14) - 1;
+  const auto reach2 = static_cast<Real>(std::pow(kHideReach_d * 2 * radius_m_, 2));
+  const Vec3<Real> here = x.at(i);
+  unsigned taken = 0;
+  double near = 0.0;
+  Vec3d sum = Vec3d::Zero();
+  for (const Index j : neighbours.of(i)) {
+    if (label[j] != label[i]) continue;
+    const Vec3<Real> to = x.at(j) - here;
+    if (to.squaredNorm() > reach2 || to.isZero(0)) continue;
+    const Vec3d along = to.template cast<double>().normalized();
+    sum += along;
+    near += 1.0;
+    if (taken == kHidden) continue;
+    for (unsigned k = 0; k < 14; ++k) {
+      if (along.dot(lookouts()[k]) > kLookoutCosine) taken |= 1u << k;
+    }
+  }
+  bare_[i] = near > 0 ? Vec3d(-sum / near) : Vec3d::Zero();
+  return taken == kHidden;
+}
+
+/// Puts the members of a new body that something may touch before those hidden behind others.
+/// @return end of those that something may touch
+template <class Real>
+Index IceBodies<Real>::sortSurface(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
+                                   const std::vector<Index>& label, Index first, Index last) {
+  at_surface_.resize(label.size());
+  bare_.resize(label.size());
+  parallelFor(last - first, [&](std::size_t k) {
+    const Index i = place_[first + k];
+    at_surface_[i] = !lookAround(x, neighbours, label, i);
+  });
+  const auto end = std::stable_partition(place_.begin() + first, place_.begin() + last,
+                                         [&](Index i) { return at_surface_[i] != 0; });
+  for (Index m = first; m < last; ++m) outward_[m] = bare_[place_[m]];
+  return static_cast<Index>(end - place_.begin());
+}
+
+/// Wakes kept bodies beside particles that left or joined another: what held them may be gone.
+template <class Real>
+void IceBodies<Real>::wakeBeside(const Neighbours<Real>& neighbours,
+                                 const std::vector<Index>& label) {
+  const auto changed = [&](Index j) {
+    const Index was = old_member_at_.empty() ? kNone : old_member_at_[j];
+    if (label[j] == kNone) return was != kNone;
+    return !(was != kNone && renumbered_[was] != kNone);
+  };
+  for (IceBody& body : bodies_) {
+    if (!body.asleep) continue;
+    for (Index m = body.first; m < body.surface_last && body.asleep; ++m) {
+      const auto list = neighbours.of(place_[m]);
+      if (std::none_of(list.begin(), list.end(), changed)) continue;
+      body.asleep = false;
+      body.still_s = 0.0;
+    }
+  }
+}
+
+template <class Real>
+void IceBodies<Real>::makeChunks() {
+  chunks_.clear();
+  batches_.clear();
+  Index batched = kChunk;
+  for (Index b = 0; b < bodies_.size(); ++b) {
+    for (Index first = bodies_[b].first; first < bodies_[b].last; first += kChunk) {
+      if (batched >= kChunk) {
+        batches_.push_back(static_cast<Index>(chunks_.size()));
+        batched = 0;
+      }
+      chunks_.push_back({b, first, std::min(first + kChunk, bodies_[b].last)});
+      batched += chunks_.back().last - first;
+    }
+  }
+  batches_.push_back(static_cast<Index>(chunks_.size()));
+}
+
+/// Puts what is there aside for the time that new arrays are made of it.
+template <class Real>
+void IceBodies<Real>::putAside() {
+  const auto aside = [](auto& values, auto& old) {
+    old.swap(values);
+    values.clear();
+  };
+  aside(bodies_, old_bodies_);
+  aside(place_, old_place_);
+  aside(offset_, old_offset_);
+  aside(outward_, old_outward_);
+  aside(body_of_, old_body_of_);
+  aside(member_at_, old_member_at_);
+  renumbered_.assign(old_place_.size(), kNone);
+}
+
+/// Makes the bodies of the groups that are not kept, in the order in which their first members lie.
+template <class Real>
+void IceBodies<Real>::makeBodies(const Particles<Real>& particles,
+                                 const Neighbours<Real>& neighbours,
+                                 const std::vector<Index>& label) {
+  auto members = static_cast<Index>(place_.size());
+  const Index first_new = members;
+  for (Group& group : groups_) {
+    if (group.kept) continue;
+    group.next = members;
+    members += group.count;
+  }
+  place_.resize(members);
+  offset_.resize(members);
+  outward_.resize(members);
+  body_of_.resize(members);
+  for (Index i = 0; i < label.size(); ++i) {
+    if (label[i] == kNone) continue;
+    Group& group = groups_[group_of_label_[label[i]]];
+    if (!group.kept) place_[group.next++] = i;
+  }
+  for (Index first = first_new, last; first < members; first = last) {
+    last = groups_[group_of_label_[label[place_[first]]]].next;
+    const Index surface_last = sortSurface(particles.position, neighbours, label, first, last);
+    makeBody(particles, first, last);
+    bodies_.back().surface_last = surface_last;
+    std::fill(body_of_.begin() + first, body_of_.begin() + last,
+              static_cast<Index>(bodies_.size() - 1));
+  }
+}
+
+template <class Real>
+bool IceBodies<Real>::assign(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
+                             const std::vector<Index>& label) {
+  if (!gatherGroups(label)) return false;
+  ++generation_;
+  putAside();
+  keepBodies();
+  makeBodies(particles, neighbours, label);
+  member_at_.assign(label.size(), kNone);
+  for (Index m = 0; m < place_.size(); ++m) member_at_[place_[m]] = m;
+  wakeBeside(neighbours, label);
+  makeChunks();
+  return true;
+}
+
+template <class Real>
+std::size_t IceBodies<Real>::bytes() const {
+  const std::size_t vectors = offset_.capacity() + old_offset_.capacity() + outward_.capacity() +
+                              old_outward_.capacity() + bare_.capacity();
+  const std::size_t indices = place_.capacity() + body_of_.capacity() + member_at_.capacity() +
+                              batches_.capacity() + renumbered_.capacity() +
+                              group_of_label_.capacity() + old_place_.capacity() +
+                              old_body_of_.capacity() + old_member_at_.capacity();
+  return (bodies_.capacity() + old_bodies_.capacity()) * sizeof(IceBody) + vectors * sizeof(Vec3d) +
+         indices * sizeof(Index) + chunks_.capacity() * sizeof(Chunk) +
+         moments_.capacity() * sizeof(Moment) + groups_.capacity() * sizeof(Group) +
+         islands_.capacity() * sizeof(Island) + at_surface_.capacity() + stays_.capacity();
+}
+
+template class IceBodies<float>;
+template class IceBodies<double>;
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,20 @@
+#include "loading/memory_need.h"
+
+#include <cmath>
+
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+void requireMemory(const Scene& scene, double memory_bytes) {
+  const double particles = double(particleCount(scene));
+  const double needed_bytes = particles * kLeastParticle_bytes;
+  if (needed_bytes <= memory_bytes) return;
+  throw InvalidInput("the blocks hold " + numberText(particles) +
+                     " particles, which take at least " +
+                     numberText(std::ceil(needed_bytes / 1e6)) + " MB; this machine has " +
+                     numberText(std::floor(memory_bytes / 1e6)) +
+                     " MB. Enlarge fluid.spacing_m or shrink the blocks");
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,203 @@
+#include "loading/spawn_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+#include "colliders/collider_faces.h"
+#include "ice_ice_baby/errors.h"
+#include "particles/particles.h"
+#include "scene/lattice.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Lattices within each other have particles nearer than this, in spacings: the middle of a cube
+/// is 0.87 from its corners. Blocks side by side keep a whole spacing.
+constexpr double kOverlap_d = 0.9;
+
+/// So deep, m, is rounding.
+constexpr double kHair_m = 1e-6;
+
+using Box = Eigen::AlignedBox3d;
+
+std::string keyOf(std::size_t block) { return "blocks." + std::to_string(block); }
+
+/// "12 of its 64 particles lie"
+std::string shareText(std::size_t some, std::size_t all) {
+  return std::to_string(some) + " of its " + std::to_string(all) +
+         (some == 1 ? " particles lies" : " particles lie");
+}
+
+/// The box of a block, turned as it is, in a box along the axes.
+Box boundsOf(const Block& block) {
+  const Posed pose = poseOf(block.centre_m(), block.rpy_deg);
+  const Vec3d half = pose.rotation.cwiseAbs() * (block.max_m - block.min_m) / 2;
+  return {block.centre_m() - half, block.centre_m() + half};
+}
+
+/// Colliders with their names and keys, bounding the centres of particles without size.
+class Solids {
+ public:
+  explicit Solids(const Scene& scene) : solids_(scene, 0.0) {
+    faces_.take(solids_);
+    const auto add = [&](const auto& colliders, const std::string& what, const std::string& list) {
+      for (std::size_t k = 0; k < colliders.size(); ++k) {
+        keys_.push_back(list + "." + std::to_string(k));
+        words_.push_back(what);
+        words_.back().append(colliders[k].name).append(" (").append(keys_.back()).append(")");
+      }
+    };
+    add(scene.containers, "container ", "containers");
+    add(scene.planes, "plane ", "planes");
+    add(scene.spheres, "sphere ", "spheres");
+  }
+
+  std::size_t count() const { return faces_.count(); }
+
+  void requireFree(const std::string& key, const Block& block, double spacing_m,
+                   std::size_t k) const {
+    const Box bounds = boundsOf(block);
+    const double radius = bounds.diagonal().norm() / 2;
+    if (!faces_.near(k, bounds.center(), bounds.center(), radius)) return;
+    const bool container = faces_.isContainer(k);
+    std::size_t all = 0, within = 0, inside = 0;
+    forEachLatticePoint(block, spacing_m, [&](const Vec3d& x) {
+      ++all;
+      if (faces_.push(k, x, x).norm() > kHair_m) ++within;
+      if (container) inside += solids_.containers[k].shape.inside(toLocal(k, x));
+    });
+    const std::string cure = "; change " + key + ".min_m or max_m, or " + keys_[k] + ".position_m";
+    if (within > 0) {
+      throw InvalidInput(key + ": " + shareText(within, all) + " inside " +
+                         (container ? "the wall of " : "") + words_[k] + cure);
+    }
+    const bool closed = container && !solids_.containers[k].shape.open_top;
+    if (closed && inside > 0 && inside < all) {
+      throw InvalidInput(key + ": " + shareText(all - inside, all) + " outside the closed " +
+                         words_[k] + " and the others inside it" + cure);
+    }
+  }
+
+ private:
+  Vec3d toLocal(std::size_t k, const Vec3d& x) const { return faces_.motion(k).to.toLocal(x); }
+
+  Colliders<double> solids_;
+  ColliderFaces faces_;
+  std::vector<std::string> words_;
+  std::vector<std::string> keys_;
+};
+
+/// Points in cells as wide as the distance that they are to keep.
+class PointGrid {
+ public:
+  explicit PointGrid(double edge_m) : edge_m_(edge_m) {}
+
+  void add(const Vec3d& x, std::size_t block) {
+    cells_.emplace(keyAt(x, {0, 0, 0}), Entry{x, block});
+  }
+
+  /// Block of a point nearer to x than `distance_m`, no more than an edge, or `none`.
+  std::size_t blockNear(const Vec3d& x, double distance_m, std::size_t none) const {
+    for (int k = 0; k < 27; ++k) {
+      const auto range = cells_.equal_range(keyAt(x, {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1}));
+      for (auto entry = range.first; entry != range.second; ++entry) {
+        if ((entry->second.x - x).squaredNorm() < distance_m * distance_m) {
+          return entry->second.block;
+        }
+      }
+    }
+    return none;
+  }
+
+ private:
+  struct Entry {
+    Vec3d x;
+    std::size_t block;
+  };
+
+  /// 21 bits an axis; cells that share a key are told apart by their distances.
+  std::uint64_t keyAt(const Vec3d& x, const Eigen::Array<std::int64_t, 3, 1>& beside) const {
+    const Eigen::Array<std::int64_t, 3, 1> cell =
+        (x.array() / edge_m_).floor().cast<std::int64_t>() + beside;
+    constexpr std::uint64_t kMask = (1u << 21) - 1;
+    return (std::uint64_t(cell.x()) & kMask) | (std::uint64_t(cell.y()) & kMask) << 21 |
+           (std::uint64_t(cell.z()) & kMask) << 42;
+  }
+
+  double edge_m_;
+  std::unordered_multimap<std::uint64_t, Entry> cells_;
+};
+
+/// For each block the part of its bounds that those of other blocks reach; empty for most.
+std::vector<Box> sharedBounds(const std::vector<Box>& bounds) {
+  std::vector<std::size_t> by_x(bounds.size());
+  std::iota(by_x.begin(), by_x.end(), std::size_t(0));
+  std::sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) {
+    return bounds[a].min().x() < bounds[b].min().x();
+  });
+  std::vector<Box> shared(bounds.size());
+  for (auto a = by_x.begin(); a != by_x.end(); ++a) {
+    for (auto b = a + 1; b != by_x.end(); ++b) {
+      if (bounds[*b].min().x() > bounds[*a].max().x()) break;
+      if (!bounds[*a].intersects(bounds[*b])) continue;
+      const Box common = bounds[*a].intersection(bounds[*b]);
+      shared[*a].extend(common);
+      shared[*b].extend(common);
+    }
+  }
+  return shared;
+}
+
+/// Blocks join one by one, so that cells never hold more than a lattice does.
+void requireApart(const Scene& scene) {
+  double widest_m = scene.fluid.spacing_m;
+  for (const Block& block : scene.blocks) widest_m = std::max(widest_m, scene.spacing_m(block));
+  const double edge = kOverlap_d * widest_m;
+  std::vector<Box> bounds;
+  for (const Block& block : scene.blocks) {
+    bounds.push_back(boundsOf(block));
+    bounds.back().max().array() += edge / 2;
+    bounds.back().min().array() -= edge / 2;
+  }
+  const std::vector<Box> shared = sharedBounds(bounds);
+  PointGrid grid(edge);
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    if (shared[k].isEmpty()) continue;
+    const Block& block = scene.blocks[k];
+    const double spacing = scene.spacing_m(block);
+    std::size_t all = 0, near = 0, other = k;
+    std::vector<Vec3d> points;
+    forEachLatticePoint(block, spacing, [&](const Vec3d& x) {
+      ++all;
+      if (!shared[k].contains(x)) return;
+      points.push_back(x);
+      const std::size_t found = grid.blockNear(x, kOverlap_d * spacing, k);
+      if (found == k) return;
+      ++near;
+      other = std::min(other, found);
+    });
+    if (near > 0) {
+      throw InvalidInput(keyOf(k) + " overlaps " + keyOf(other) + ": " + shareText(near, all) +
+                         " within its water; change min_m or max_m of one of them");
+    }
+    for (const Vec3d& x : points) grid.add(x, k);
+  }
+}
+
+}  // namespace
+
+void requireFreeSpawn(const Scene& scene) {
+  const Solids solids(scene);
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    const Block& block = scene.blocks[b];
+    for (std::size_t k = 0; k < solids.count(); ++k) {
+      solids.requireFree(keyOf(b), block, scene.spacing_m(block), k);
+    }
+  }
+  requireApart(scene);
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,92 @@
+// State of the particles: structure of arrays, sorted by cell of the neighbour search.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "ice_ice_baby/scene.h"
+
+namespace ice_ice_baby {
+
+/// Puts values[order[k]] at place k. `order` is a permutation of 0 ... n-1.
+/// @param scratch changes places with the values; what it held is lost
+template <class T>
+void permute(std::vector<T>& values, const std::vector<Index>& order, std::vector<T>& scratch) {
+  scratch.resize(values.size());
+  for (std::size_t k = 0; k < order.size(); ++k) scratch[k] = values[order[k]];
+  values.swap(scratch);
+}
+
+/// n vectors, one array per coordinate.
+template <class Real>
+struct VectorField {
+  std::vector<Real> x, y, z;
+
+  std::size_t size() const { return x.size(); }
+  std::size_t bytes() const { return (x.capacity() + y.capacity() + z.capacity()) * sizeof(Real); }
+  void resize(std::size_t n) {
+    x.resize(n);
+    y.resize(n);
+    z.resize(n);
+  }
+  Vec3<Real> at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void set(std::size_t i, const Vec3<Real>& value) {
+    x[i] = value.x();
+    y[i] = value.y();
+    z[i] = value.z();
+  }
+  void add(std::size_t i, const Vec3<Real>& value) { set(i, at(i) + value); }
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.x, self.y, self.z);
+  }
+};
+
+template <class Real>
+void permute(VectorField<Real>& field, const std::vector<Index>& order,
+             std::vector<Real>& scratch) {
+  permute(field.x, order, scratch);
+  permute(field.y, order, scratch);
+  permute(field.z, order, scratch);
+}
+
+template <class Real>
+struct Particles {
+  VectorField<Real> position;     ///< (n) x_i, m
+  VectorField<Real> predicted;    ///< (n) x_i*, m
+  VectorField<Real> velocity;     ///< (n) v_i, m/s
+  std::vector<std::uint32_t> id;  ///< (n) number at the spawn, 0 ... n-1
+  std::vector<Real> scratch;      ///< (n) of reorder
+  std::vector<std::uint32_t> id_scratch;
+
+  std::size_t size() const { return id.size(); }
+  std::size_t bytes() const {
+    return position.bytes() + predicted.bytes() + velocity.bytes() +
+           (id.capacity() + id_scratch.capacity()) * sizeof(std::uint32_t) +
+           scratch.capacity() * sizeof(Real);
+  }
+
+  /// Puts particle order[k] at place k. `order` is a permutation of 0 ... n-1.
+  void reorder(const std::vector<Index>& order);
+
+  /// Between two frames; x* is x there.
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.position, self.velocity, self.id);
+  }
+  /// @throws InvalidInput unless a checkpoint that was read holds each of `count` particles once
+  void settle(std::size_t count);
+};
+
+/// Range of ids that one block spawned.
+struct Spawn {
+  std::uint32_t first_id = 0;
+  std::uint32_t count = 0;
+};
+
+/// Fills every block of the scene with its lattice, in the order of the scene file.
+/// @param spawns one entry per block
+template <class Real>
+Particles<Real> spawnParticles(const Scene& scene, std::vector<Spawn>& spawns);
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,53 @@
+#include "ice_ice_baby/scene.h"
+
+#include <cmath>
+
+namespace ice_ice_baby {
+
+Posed poseOf(const Vec3d& position_m, const Vec3d& rpy_deg) {
+  const Vec3d rpy = rpy_deg * (M_PI / 180.0);
+  Posed pose;
+  pose.position = position_m;
+  pose.rotation =
+      (Eigen::AngleAxisd(rpy.z(), Vec3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Vec3d::UnitY()) *
+       Eigen::AngleAxisd(rpy.x(), Vec3d::UnitX()))
+          .toRotationMatrix();
+  return pose;
+}
+
+double Scene::supportRadius_m() const {
+  return fluid.support_radius_m > 0.0 ? fluid.support_radius_m : 2.0 * fluid.spacing_m;
+}
+
+bool Scene::startsFrozen(const Block& block) const {
+  return thermal.enabled && !block.sheet && block.celsius < thermal.freezing_c;
+}
+
+double Scene::spacing_m(const Block& block) const {
+  return startsFrozen(block) ? fluid.spacing_m / std::cbrt(ice.density_ratio) : fluid.spacing_m;
+}
+
+int Scene::substeps() const {
+  if (solver.substeps > 0) return solver.substeps;
+  switch (solver.quality) {
+    case Quality::kFast:
+      return 4;
+    case Quality::kBalanced:
+      return 6;
+    case Quality::kAccurate:
+      return 12;
+  }
+  return 6;
+}
+
+double Scene::relaxation() const {
+  if (solver.relaxation > 0.0) return solver.relaxation;
+  // After n sweeps (1 - a)^n of a mode's error is left. With the warm start the velocity made of it
+  // dies out above -1/5, which an even power never falls below.
+  constexpr double kLargestEigenvalue = 2.86;
+  const int n = solver.iterations;
+  const double a = n % 2 == 0 ? 2.0 : 1.0 + std::pow(0.2, 1.0 / n);
+  return a / kLargestEigenvalue;
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,305 @@
+#include "simulation/simulator.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "base/machine_memory.h"
+#include "base/parallel.h"
+#include "colliders/clearance.h"
+#include "ice_ice_baby/errors.h"
+#include "loading/memory_need.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Lists reach this far beyond the support radius, in spacings, and live until a particle moved
+/// half.
+constexpr double kSkin = 0.3;
+
+const int kAllThreads = tbb::this_task_arena::max_concurrency();
+
+/// Unit vector that depends on the id alone, spread evenly over the sphere (golden angle spiral).
+template <class Real>
+Vec3<Real> directionOf(std::uint32_t id) {
+  const double z = 1.0 - 2.0 * ((id * 2654435761u >> 8) + 0.5) / (1 << 24);
+  const double angle = 2.399963229728653 * id;
+  const double radius = std::sqrt(1.0 - z * z);
+  return Vec3d(radius * std::cos(angle), radius * std::sin(angle), z).template cast<Real>();
+}
+
+}  // namespace
+
+template <class Real>
+Simulator<Real>::Simulator(const Scene& scene, int threads)
+    : scene_(scene),
+      mass_kg_(particleMass_kg(scene.fluid, scene.supportRadius_m())),
+      arena_(std::min(threads > 0 ? threads : kAllThreads, kAllThreads)),
+      particles_(spawnParticles<Real>(scene, spawns_)),
+      temperature_(scene),
+      colliders_(scene, scene.fluid.spacing_m / 2),
+      neighbours_(static_cast<Real>(scene.supportRadius_m()),
+                  static_cast<Real>(kSkin * scene.fluid.spacing_m)),
+      substeps_(scene.substeps()) {
+  scene_.solver.substeps = substeps_;  // so that scene() tells what is in force
+  scene_.solver.relaxation = scene.relaxation();
+  const double volume_m3 = particleVolume_m3(scene.fluid, scene.supportRadius_m());
+  if (scene.fluid.boundary_density && !colliders_.empty()) {
+    walls_.emplace(scene, colliders_, volume_m3);
+  }
+  if (scene.thermal.enabled) {
+    heat_.emplace(scene, spawns_, colliders_);
+    phases_.emplace(scene, particles_.size());
+  }
+  const Phases<Real>* phases = phases_ ? &*phases_ : nullptr;
+  density_.emplace(scene, walls_ ? &*walls_ : nullptr, phases);
+  if (scene.solver.viscosity_1_s > 0.0 || phases) viscosity_.emplace(scene, volume_m3, phases);
+  updateTemperature(0.0);
+  arena_.execute([&] {
+    findNeighbours();
+    // What fell as one would stay one: lists live as long as all particles move alike.
+    if (neighbours_.coincident()) particles_.position = particles_.predicted;
+    joinSheets();
+    if (heat_) beginPhases();
+    if (!colliders_.empty()) expel();
+    density_->computeLambda(particles_, neighbours_);
+    updateReport();
+  });
+}
+
+template <class Real>
+const StepReport& Simulator<Real>::advanceFrame() {
+  const auto start = std::chrono::steady_clock::now();
+  ++report_.frame;
+  report_.time_s = double(report_.frame) / scene_.solver.frame_rate_hz;
+  report_.speed_limited = 0;
+  report_.correction_limited = 0;
+  updateTemperature(report_.time_s);
+  report_.substeps = report_.asleep ? 0 : substeps_;
+  if (!report_.asleep) {
+    arena_.execute([&] {
+      runSubsteps();
+      if (heat_) advanceHeat();
+      report_clock_.run([&] { updateReport(); });
+      updateSleep();
+      followTargetError();
+    });
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  report_.frame_wall_s = wall.count();
+  return report_;
+}
+
+template <class Real>
+void Simulator<Real>::runSubsteps() {
+  const auto bodiesLimited = [&] {
+    return bodies_ ? bodies_->limited() + contacts_->limited() : 0;
+  };
+  const std::uint64_t limited_before = bodiesLimited();
+  const std::uint64_t cut_before = density_->limited();
+  if (colliders_moving_) jumpColliders();
+  for (int k = 0; k < substeps_; ++k) {
+    if (colliders_moving_) colliders_.setSubstep(double(k) / substeps_, double(k + 1) / substeps_);
+    substep(1.0 / (scene_.solver.frame_rate_hz * substeps_));
+  }
+  report_.speed_limited += bodiesLimited() - limited_before;
+  report_.correction_limited = density_->limited() - cut_before;
+  if (!colliders_moving_) return;
+  colliders_.endFrame();
+  colliders_.setSubstep(1.0, 1.0);
+  colliders_moving_ = false;
+}
+
+/// Algorithm 1 of the paper, line by line.
+template <class Real>
+void Simulator<Real>::substep(double dt_s) {
+  const Real dt = static_cast<Real>(dt_s);
+  predict_clock_.run([&] { predict(dt_s); });
+  neighbours_clock_.run([&] { findNeighbours(); });
+  if (strictness_ > 0.0) make_springs_clock_.run([&] { makeSprings(); });
+  if (bodies_) contacts_clock_.run([&] { findContacts(); });
+
+  for (int iteration = 0; iteration < scene_.solver.iterations; ++iteration) {
+    lambda_clock_.run([&] { density_->computeLambda(particles_, neighbours_); });
+    delta_p_clock_.run([&] { density_->computeDeltaP(particles_, neighbours_); });
+    if (!colliders_.empty()) collide_clock_.run([&] { respondToCollisions(); });
+    // The paper corrects x* before its update, the default after: doc/algorithm.md says why.
+    if (!scene_.springs.correct_updated) correctSprings(dt_s, iteration);
+    position_clock_.run([&] { updatePredicted(); });
+    if (bodies_) bodies_clock_.run([&] { moveBodies(); });
+    if (scene_.springs.correct_updated) correctSprings(dt_s, iteration);
+  }
+  const bool moved_since_response = springsCorrect() || scene_.solver.iterations == 0;
+  if (moved_since_response && !colliders_.empty()) collide_clock_.run([&] { finishCollisions(); });
+
+  if (bodies_) bodies_clock_.run([&] { contacts_->contain(*bodies_, particles_.predicted); });
+
+  velocity_clock_.run([&] { updateVelocityAndPosition(dt); });
+  if (bodies_) bodies_clock_.run([&] { bodies_->finish(particles_); });
+  if (viscosity_) viscosity_clock_.run([&] { applyViscosity(dt_s); });
+}
+
+template <class Real>
+void Simulator<Real>::predict(double dt_s) {
+  applyForcesAndPredict(static_cast<Real>(dt_s));
+  if (phases_) predictSteamAndIce(dt_s);
+  density_->warmStart(particles_);
+  if (bodies_) bodies_->conform(particles_.predicted);
+}
+
+template <class Real>
+void Simulator<Real>::applyForcesAndPredict(Real dt) {
+  const Vec3<Real> gravity = scene_.gravity_m_s2.cast<Real>();
+  parallelFor(particles_.size(), [&](std::size_t i) {
+    const Vec3<Real> v = particles_.velocity.at(i) + dt * gravity;
+    particles_.velocity.set(i, v);
+    particles_.predicted.set(i, particles_.position.at(i) + dt * v);
+  });
+}
+
+template <class Real>
+void Simulator<Real>::findNeighbours() {
+  if (!neighbours_.stale(particles_.predicted)) return;
+  const std::vector<Index>& order = neighbours_.sortOrder(particles_.predicted);
+  particles_.reorder(order);
+  density_->reorder(order);
+  if (springs_) springs_->renumber(order);
+  if (heat_) heat_->reorder(order);
+  if (phases_) phases_->reorder(order);
+  if (bodies_) bodies_->reorder(order);
+  neighbours_.build(particles_.predicted);
+  if (bodies_) phases_->findWet(neighbours_);
+  if (neighbours_.coincident()) separateCoincident();
+}
+
+/// Two particles at one point have no direction in which to part, so all but the first of them are
+/// put a hundredth of a spacing aside, each in a direction of its own.
+template <class Real>
+void Simulator<Real>::separateCoincident() {
+  const VectorField<Real>& x = particles_.predicted;
+  displaced_.assign(particles_.size(), false);
+  parallelFor(particles_.size(), [&](std::size_t i) {
+    for (const Index j : neighbours_.of(i)) {
+      if (x.x[j] != x.x[i] || x.at(j) != x.at(i)) continue;
+      if (particles_.id[j] < particles_.id[i]) displaced_[i] = true;
+    }
+  });
+  const Real distance = static_cast<Real>(0.01 * scene_.fluid.spacing_m);
+  for (Index i = 0; i < particles_.size(); ++i) {
+    if (displaced_[i]) particles_.predicted.add(i, distance * directionOf<Real>(particles_.id[i]));
+  }
+}
+
+template <class Real>
+void Simulator<Real>::makeSprings() {
+  if (springs_ && springs_->kept()) return;
+  if (!springs_) springs_.emplace(scene_.springs);
+  const double reach = scene_.springs.reach_h * scene_.supportRadius_m();
+  springs_->make(particles_, neighbours_, static_cast<Real>(reach));
+  if (frozen() && scene_.springs.keep_frozen) springs_->keep();
+}
+
+template <class Real>
+void Simulator<Real>::correctSprings(double dt_s, int iteration) {
+  if (!springsCorrect()) return;
+  correct_springs_clock_.run([&] {
+    const bool begins = iteration == 0;
+    if (heat_) {
+      springs_->correctElastic(particles_.predicted, scene_.ice.compliance_m_n, mass_kg_, dt_s,
+                               begins);
+    } else {
+      springs_->correct(particles_.predicted, strictness_, mass_kg_, dt_s, begins);
+    }
+  });
+}
+
+/// Amends delta p so that x* + delta p lies outside every collider.
+template <class Real>
+void Simulator<Real>::respondToCollisions() {
+  VectorField<Real>& delta_p = density_->deltaP();
+  const Paths<Real> paths{particles_.position, particles_.predicted, &delta_p};
+  parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
+    forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
+      if (inBody(i)) return;
+      const Vec3<Real> predicted = particles_.predicted.at(i);
+      const Vec3<Real> wanted = predicted + delta_p.at(i);
+      const Vec3<Real> end = colliders_.respond(particles_.position.at(i), wanted, sticks());
+      delta_p.set(i, end - predicted);
+    });
+  });
+}
+
+template <class Real>
+void Simulator<Real>::updatePredicted() {
+  const VectorField<Real>& delta_p = density_->deltaP();
+  parallelFor(particles_.size(),
+              [&](std::size_t i) { particles_.predicted.add(i, delta_p.at(i)); });
+}
+
+/// Takes what springs or plain flight pushed into a collider out of it again.
+template <class Real>
+void Simulator<Real>::finishCollisions() {
+  const Paths<Real> paths{particles_.position, particles_.predicted};
+  parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
+    forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
+      if (inBody(i)) return;
+      const Vec3<Real> wanted = particles_.predicted.at(i);
+      particles_.predicted.set(i, colliders_.respond(particles_.position.at(i), wanted, sticks()));
+    });
+  });
+}
+
+/// v = (x* - x) / dt, x = x*, written as what the corrections add to the velocity of the
+/// prediction, so that free flight keeps every bit of its velocity however short the substep. A
+/// value that is not finite puts its particle back to rest where it was; one above the speed limit
+/// is slowed to it. Both are counted.
+template <class Real>
+void Simulator<Real>::updateVelocityAndPosition(Real dt) {
+  const Real limit = static_cast<Real>(scene_.solver.max_speed_m_s);
+  std::atomic<std::uint64_t> limited{0}, repaired{0};
+  parallelFor(particles_.size(), [&](std::size_t i) {
+    Vec3<Real> v = particles_.velocity.at(i);
+    const Vec3<Real> flight = particles_.position.at(i) + dt * v;
+    v += (particles_.predicted.at(i) - flight) / dt;
+    if (!v.allFinite()) {
+      v.setZero();
+      particles_.predicted.set(i, particles_.position.at(i));
+      repaired.fetch_add(1, std::memory_order_relaxed);
+    }
+    const Real speed = v.norm();
+    if (speed > limit) {
+      v *= limit / speed;
+      limited.fetch_add(1, std::memory_order_relaxed);
+    }
+    particles_.velocity.set(i, v);
+    particles_.position.set(i, particles_.predicted.at(i));
+  });
+  report_.speed_limited += limited;
+  report_.non_finite += repaired;
+  if (repaired > 0) density_->forgetWarmStart();  // or every substep would start from it again
+}
+
+template <class Real>
+void Simulator<Real>::applyViscosity(double dt_s) {
+  const std::vector<Real>& density = density_->density();
+  const auto densest = std::max_element(density.begin(), density.end());
+  viscosity_->apply(particles_, neighbours_, dt_s, density_->rows(),
+                    densest != density.end() ? double(*densest) : 1.0);
+  if (bodies_) bodies_->takeVelocities(particles_);
+}
+
+std::unique_ptr<Simulation> makeSimulation(const Scene& scene, Precision precision, int threads) {
+  requireInRange("threads", threads, 0, 1024);
+  validate(scene);
+  requireMemory(scene, machineMemory_bytes());
+  if (precision == Precision::kDouble) return std::make_unique<Simulator<double>>(scene, threads);
+  return std::make_unique<Simulator<float>>(scene, threads);
+}
+
+template class Simulator<float>;
+template class Simulator<double>;
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,110 @@
+// What users change between frames: each is checked whole before anything changes.
+#include <algorithm>
+
+#include "ice_ice_baby/each_collider.h"
+#include "ice_ice_baby/errors.h"
+#include "simulation/simulator.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+bool still(const Vec3d& a, const Vec3d& b) { return (a - b).squaredNorm() == 0.0; }
+
+void requireHeat(const Scene& scene, const std::string& what) {
+  if (scene.thermal.enabled) return;
+  throw InvalidInput(what + " needs thermal.enabled: scene " + scene.name +
+                     " has one temperature for all of it");
+}
+
+}  // namespace
+
+template <class Real>
+void Simulator<Real>::setTemperature(double celsius, double ramp_s, const std::string& target) {
+  requireTemperature(celsius, ramp_s);
+  requireTarget(scene_, target);
+  if (!target.empty()) return heat_->setWall(target, celsius, ramp_s);
+  temperature_.set(celsius, ramp_s);
+  updateTemperature(report_.time_s);
+}
+
+template <class Real>
+void Simulator<Real>::heatRegion(const HeatedRegion& region) {
+  requireHeatedRegion(scene_, region);
+  if (heat_->regions() >= kMaxHeatedRegions) {
+    throw InvalidInput(std::to_string(kMaxHeatedRegions) +
+                       " regions are heated or cooled already; wait until one of them ends");
+  }
+  heat_->addRegion(region);
+}
+
+template <class Real>
+void Simulator<Real>::setGravity(const Vec3d& gravity_m_s2) {
+  requireGravity(gravity_m_s2);
+  if (still(gravity_m_s2, scene_.gravity_m_s2)) return;
+  scene_.gravity_m_s2 = gravity_m_s2;
+  wake();
+}
+
+template <class Real>
+void Simulator<Real>::moveCollider(const std::string& name, const Posed& pose) {
+  const Posed now = colliders_.pose(name);
+  for (int axis = 0; axis < 3; ++axis) {
+    requireInRange("position of collider " + name, pose.position[axis], kCoordinateRange_m.min,
+                   kCoordinateRange_m.max);
+  }
+  // A mirror is unitary too, but its determinant is -1.
+  const auto& turn = pose.rotation;
+  if (!turn.allFinite() || !turn.isUnitary(1e-6) || turn.determinant() < 0.0) {
+    throw InvalidInput("rotation of collider " + name + " must be a unit quaternion");
+  }
+  const bool there = still(now.position, pose.position) && now.rotation == pose.rotation;
+  if (there && !colliders_moving_) return;
+  colliders_.moveTo(name, pose);
+  colliders_moving_ = true;
+  wake();
+}
+
+void requireTemperature(double celsius, double ramp_s) {
+  requireInRange("temperature in degrees Celsius", celsius, kTemperatureRange_c.min,
+                 kTemperatureRange_c.max);
+  requireInRange("ramp in seconds", ramp_s, 0.0, 1e6);
+}
+
+void requireTarget(const Scene& scene, const std::string& target) {
+  if (target.empty()) return;
+  std::vector<std::string> names;
+  forEachCollider(scene, [&](const Collider& c) { names.push_back(c.name); });
+  if (std::find(names.begin(), names.end(), target) == names.end()) {
+    throw InvalidInput("no collider \"" + shortened(target) +
+                       "\"; \"\" is the air, the scene has: " + joined(names));
+  }
+  requireHeat(scene, "a temperature of collider " + target);
+}
+
+void requireHeatedRegion(const Scene& scene, const HeatedRegion& region) {
+  requireHeat(scene, "heating a region");
+  if (region.shape == BlockShape::kCylinder) {
+    throw InvalidInput("a heated region is a box or a sphere, not a cylinder");
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string name = std::string(" ") + "xyz"[axis] + " of the region in m";
+    requireInRange("centre" + name, region.centre_m[axis], kCoordinateRange_m.min,
+                   kCoordinateRange_m.max);
+    requireInRange("size" + name, region.size_m[axis], 0.0, 2 * kMaxCoordinate_m);
+  }
+  requireInRange("power in watts", region.power_w, -1e9, 1e9);
+  requireInRange("duration in seconds", region.duration_s, 0.0, 1e6);
+}
+
+void requireGravity(const Vec3d& gravity_m_s2) {
+  for (int axis = 0; axis < 3; ++axis) {
+    requireInRange(std::string("gravity ") + "xyz"[axis] + " in m/s^2", gravity_m_s2[axis],
+                   kGravityRange_m_s2.min, kGravityRange_m_s2.max);
+  }
+}
+
+template class Simulator<float>;
+template class Simulator<double>;
+
+}  // namespace ice_ice_baby

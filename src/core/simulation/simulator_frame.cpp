@@ -1,0 +1,81 @@
+// What a simulator does once a frame, around the substeps of Algorithm 1.
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/simulator.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Bounds of the number of substeps where a target error is followed.
+constexpr int kFewestSubsteps = 2;
+constexpr int kMostSubsteps = 64;
+
+}  // namespace
+
+template <class Real>
+void Simulator<Real>::updateTemperature(double time_s) {
+  temperature_.advanceTo(time_s);
+  const double before = strictness_;
+  strictness_ = heat_ ? 0.0 : temperature_.strictness();
+  if (strictness_ != before) wake();
+  if (!heat_ && strictness_ < 1.0 && springs_) {
+    springs_->melt();
+    if (strictness_ == 0.0 && springs_->empty()) springs_.reset();
+  }
+  report_.temperature_c = temperature_.celsius();
+  if (!heat_) report_.strictness = strictness_;
+  report_.springs = springs_ ? springs_->size() : 0;
+}
+
+template <class Real>
+void Simulator<Real>::joinSheets() {
+  for (std::size_t k = 0; k < scene_.blocks.size(); ++k) {
+    if (!scene_.blocks[k].sheet) continue;
+    if (!springs_) springs_.emplace(scene_.springs);
+    springs_->addSheet(particles_, neighbours_, spawns_[k],
+                       static_cast<Real>(1.5 * scene_.fluid.spacing_m));
+  }
+}
+
+/// Frozen water slower than the sleep speed for half a second sleeps; anything new wakes it.
+template <class Real>
+void Simulator<Real>::updateSleep() {
+  const bool slow = report_.max_speed_m_s < scene_.springs.sleep_speed_m_s;
+  still_s_ =
+      springs_ && springs_->kept() && slow ? still_s_ + 1.0 / scene_.solver.frame_rate_hz : 0.0;
+  if (report_.asleep || still_s_ < 0.5) return;
+  report_.asleep = true;
+  for (auto* axis : {&particles_.velocity.x, &particles_.velocity.y, &particles_.velocity.z}) {
+    std::fill(axis->begin(), axis->end(), Real(0));
+  }
+  updateReport();
+}
+
+/// The error falls with the square of the substep. Fewer substeps are tried one at a time, so that
+/// a calm frame does not leave the next one short.
+template <class Real>
+void Simulator<Real>::followTargetError() {
+  const double target = scene_.solver.target_error;
+  if (target == 0.0 || report_.asleep) return;
+  const double wanted = std::ceil(substeps_ * std::sqrt(report_.density_error_mean / target));
+  const double fewest = std::max(kFewestSubsteps, substeps_ - 1);
+  const double most = std::min(kMostSubsteps, 2 * substeps_);
+  const int next = static_cast<int>(std::clamp(wanted, std::min(fewest, most), most));
+  if (next == substeps_) return;
+  density_->rescaleWarmStart(double(substeps_) / next);
+  substeps_ = next;
+}
+
+template <class Real>
+void Simulator<Real>::wake() {
+  report_.asleep = false;
+  still_s_ = 0.0;
+  if (bodies_) bodies_->wakeAll();
+}
+
+template class Simulator<float>;
+template class Simulator<double>;
+
+}  // namespace ice_ice_baby

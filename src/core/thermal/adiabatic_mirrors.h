@@ -1,0 +1,100 @@
+// Walls without conduction as mirrors: behind them the water goes on with the same temperatures, so
+// what runs along the wall conducts there as it does far from it.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "particles/particles.h"
+#include "thermal/thermal_boundaries.h"
+
+namespace ice_ice_baby {
+
+/// Flat faces only. A particle in a container sees the faces of that container, one outside all
+/// containers sees planes.
+template <class Real>
+class AdiabaticMirrors {
+ public:
+  struct Face {
+    Vec3<Real> normal;
+    Vec3<Real> origin;  ///< some point of the face
+    int axis;           ///< of the container
+    std::size_t plane;  ///< its number, of a plane
+    Real distance;      ///< of the particle that sees it, m
+  };
+  struct Faces {
+    std::array<Face, 8> faces;
+    int count = 0;
+  };
+
+  AdiabaticMirrors(const Colliders<Real>& colliders, const ThermalBoundaries<Real>& walls,
+                   const ConductionLattice& lattice);
+
+  /// Finds out which container holds which particle.
+  void locate(const VectorField<Real>& x);
+
+  /// Faces nearer than the support radius.
+  Faces near(std::size_t i, const Vec3<Real>& point) const;
+
+  /// Calls visit(r^2) for each image of particle j whose distance r to the particle that sees
+  /// `faces` is less than the support radius. What j sees of that one has the same bits.
+  /// @param distance2 square of the distance to j itself, m^2
+  template <class Visit>
+  void forEachImage(const Faces& faces, std::size_t i, std::size_t j, const Vec3<Real>& point,
+                    Real distance2, const Visit& visit) const;
+
+  std::size_t bytes() const { return owner_.capacity() * sizeof(int); }
+
+ private:
+  static constexpr int kNone = -1;
+
+  static Real distanceTo(const Face& face, const Vec3<Real>& point) {
+    return std::max(face.normal.dot(point - face.origin), Real(0));
+  }
+  bool coveredByPlate(const Vec3<Real>& foot, const Vec3<Real>& inward) const;
+  void push(Faces& faces, const Face& face, const Vec3<Real>& point) const;
+
+  const Colliders<Real>& colliders_;
+  const ThermalBoundaries<Real>& walls_;
+  Real radius_;
+  Real support_;
+  std::vector<int> owner_;  ///< (n) container that holds the particle, or kNone
+};
+
+template <class Real>
+template <class Visit>
+void AdiabaticMirrors<Real>::forEachImage(const Faces& faces, std::size_t i, std::size_t j,
+                                          const Vec3<Real>& point, Real distance2,
+                                          const Visit& visit) const {
+  if (owner_[i] != owner_[j]) return;
+  const Real reach2 = support_ * support_;
+  std::array<Real, 8> further;  // what each face adds to the square of the distance
+  for (int a = 0; a < faces.count; ++a) {
+    const Face& face = faces.faces[std::size_t(a)];
+    const bool beside =
+        owner_[i] == kNone && heightAbove(colliders_.planes[face.plane], point, radius_) < 0;
+    const Real add = 4 * face.distance * distanceTo(face, point);
+    further[std::size_t(a)] = beside ? reach2 : add;
+  }
+  // Each subset of walls at right angles has an image of its own.
+  for (int a = 0; a < faces.count; ++a) {
+    const Real one = distance2 + further[std::size_t(a)];
+    if (one >= reach2) continue;
+    visit(one);
+    if (owner_[i] == kNone) continue;
+    for (int b = a + 1; b < faces.count; ++b) {
+      const Real two = one + further[std::size_t(b)];
+      if (two >= reach2 || faces.faces[std::size_t(b)].axis == faces.faces[std::size_t(a)].axis) {
+        continue;
+      }
+      visit(two);
+      for (int c = b + 1; c < faces.count; ++c) {
+        const Real three = two + further[std::size_t(c)];
+        const bool apart = faces.faces[std::size_t(c)].axis != faces.faces[std::size_t(b)].axis;
+        if (three < reach2 && apart) visit(three);
+      }
+    }
+  }
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,26 @@
+// The loop over pairs that measures how well neighbours conduct, as vectors like those of
+// pair_passes.h.
+#pragma once
+
+#include "fluid/pair_passes.h"
+
+namespace ice_ice_baby {
+
+/// What the pass leaves for each particle i and each neighbour j of its list.
+template <class Real>
+struct ConductanceSums {
+  const std::vector<std::size_t>& start;  ///< (n) first link of a particle
+  std::vector<Real>& links;  ///< a_i a_j s(r), s = (W'(r) / r) / (W'(h/2) / (h/2)), cubic spline
+  std::vector<Real>& total;  ///< (n) sum over the neighbours
+  VectorField<Real>& arms;   ///< (n) sum of links times x_j - x_i, m
+};
+
+/// Measures the links of some particles, a in the fourth column of the positions. Links of pairs at
+/// distance 0 and from h on are 0. A link has the same bits from both sides.
+template <class Real>
+using ConductancePass = void (*)(const PairInput<Real>&, ConductanceSums<Real>, ParticleRange);
+
+template <class Real>
+ConductancePass<Real> conductancePass();
+
+}  // namespace ice_ice_baby

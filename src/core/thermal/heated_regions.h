@@ -1,0 +1,35 @@
+// Torches and freezing sprays at work.
+#pragma once
+
+#include <vector>
+
+#include "ice_ice_baby/simulation.h"
+#include "particles/particles.h"
+
+namespace ice_ice_baby {
+
+class HeatedRegions {
+ public:
+  void add(const HeatedRegion& region) { active_.push_back(region); }
+
+  /// Adds to `power_w` what each particle receives, on average over the next `dt_s` of simulated
+  /// time, and ends the regions whose time is over. A region that holds no particle heats nothing.
+  /// @param power_w (n) W
+  template <class Real>
+  void advance(const VectorField<Real>& x, double dt_s, std::vector<Real>& power_w);
+
+  std::size_t size() const { return active_.size(); }
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.active_);
+  }
+  /// @throws InvalidInput when what was read could not have been asked for
+  void settle(const Scene& scene) const;
+
+  std::size_t bytes() const { return active_.capacity() * sizeof(HeatedRegion); }
+
+ private:
+  std::vector<HeatedRegion> active_;  ///< duration_s: what is left of it
+};
+
+}  // namespace ice_ice_baby

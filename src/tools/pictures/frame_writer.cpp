@@ -1,0 +1,102 @@
+#include "pictures/frame_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "ice_ice_baby/errors.h"
+#include "pictures/drawn_colliders.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+constexpr int kWidth = 800;
+constexpr int kHeight = 600;
+constexpr float kFocal_px = 900;
+constexpr std::size_t kMaxSprings = 20000;
+
+/// frame_00000.png: five digits, as write() names them.
+bool isFrame(const std::string& name) {
+  return name.size() == 15 && name.rfind("frame_", 0) == 0 && name.substr(11) == ".png" &&
+         name.find_first_not_of("0123456789", 6) == 11;
+}
+
+}  // namespace
+
+FrameWriter::FrameWriter(std::string folder, const Scene& scene)
+    : folder_(std::move(folder)),
+      shrink_(scene.thermal.enabled ? 2 : 1),
+      canvas_(kWidth * shrink_, kHeight * shrink_, kFocal_px * float(shrink_)) {
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (!std::filesystem::is_directory(folder_)) {
+    throw InvalidInput("cannot make the folder " + folder_ + " for frames: " + error.message());
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    if (isFrame(entry.path().filename().string())) std::filesystem::remove(entry.path(), error);
+  }
+  if (scene.thermal.enabled) {
+    heat_.emplace(scene, canvas_);
+  } else {
+    lookFromAbove(scene);
+  }
+}
+
+/// At a corner of everything that the scene holds, near enough to fill the picture.
+void FrameWriter::lookFromAbove(const Scene& scene) {
+  const Eigen::AlignedBox3f bounds = boundsOf(scene);
+  const Eigen::Vector3f into = Eigen::Vector3f(0.45f, 1.0f, -0.42f).normalized();
+  const float size = std::max(0.1f, bounds.diagonal().norm());
+  canvas_.look(bounds.center() - 1.65f * size * into, into);
+}
+
+void FrameWriter::drawColliders(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  for (const Sphere& s : scene.spheres) {
+    const Eigen::Vector3f centre = simulation.colliderPose(s.name).position.cast<float>();
+    canvas_.drawSphere(centre, float(s.radius_m), {0.75f, 0.45f, 0.3f});
+  }
+  for (const Container& c : scene.containers) {
+    const Pose<float> pose = simulation.colliderPose(c.name).cast<float>();
+    for (int k = 0; k < 8; ++k) {
+      for (const int axis : {1, 2, 4}) {
+        if (k & axis) continue;
+        canvas_.drawLine(pose.toWorld(boxCorner(c, k)), pose.toWorld(boxCorner(c, k | axis)),
+                         {0.35f, 0.38f, 0.42f}, 0.8f);
+      }
+    }
+  }
+}
+
+void FrameWriter::paintPlainly(const Simulation& simulation) {
+  canvas_.clear({0.95f, 0.96f, 0.97f}, {0.95f, 0.96f, 0.97f});
+  simulation.sampleSprings(springs_, kMaxSprings);
+  const float radius = float(simulation.scene().fluid.spacing_m) / 2;
+  for (const ParticleSample& p : particles_) {
+    const float speed = std::sqrt(p.vx * p.vx + p.vy * p.vy + p.vz * p.vz);
+    const float foam = std::min(0.55f, 0.25f * speed);
+    const float white = std::max(foam, 0.85f * p.ice_fraction);
+    canvas_.drawSphere({p.x, p.y, p.z}, radius,
+                       {0.12f + 0.76f * white, 0.42f + 0.52f * white, 0.85f + 0.15f * white});
+  }
+  for (const SpringSample& s : springs_) {
+    canvas_.drawLine({s.ax, s.ay, s.az}, {s.bx, s.by, s.bz}, {0.2f, 0.35f, 0.6f}, 0.5f);
+  }
+  drawColliders(simulation);
+}
+
+void FrameWriter::write(const Simulation& simulation) {
+  simulation.sample(particles_);
+  if (heat_) {
+    heat_->paint(simulation, particles_, canvas_);
+  } else {
+    paintPlainly(simulation);
+  }
+  char name[32];
+  std::snprintf(name, sizeof name, "/frame_%05zu.png", frames_++);
+  canvas_.save(folder_ + name, shrink_);
+}
+
+}  // namespace ice_ice_baby

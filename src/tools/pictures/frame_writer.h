@@ -1,0 +1,37 @@
+// Pictures of a simulation without a display, written as PNG files: shaded spheres, as in rviz;
+// with heat, ice and steam seen through clear water.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pictures/heat_painter.h"
+
+namespace ice_ice_baby {
+
+class FrameWriter {
+ public:
+  /// @param folder created when missing; frames are called frame_00000.png and so on, and frames of
+  /// an earlier run are removed, so that the folder shows one run
+  /// @throws InvalidInput when the folder cannot be made
+  FrameWriter(std::string folder, const Scene& scene);
+
+  /// Draws the next picture. @throws InvalidInput when the file cannot be written
+  void write(const Simulation& simulation);
+
+ private:
+  void lookFromAbove(const Scene& scene);
+  void paintPlainly(const Simulation& simulation);
+  void drawColliders(const Simulation& simulation);
+
+  std::string folder_;
+  std::size_t frames_ = 0;
+  int shrink_;  ///< pixels of the canvas along one of the picture
+  Canvas canvas_;
+  std::optional<HeatPainter> heat_;  ///< only of a scene with heat
+  std::vector<ParticleSample> particles_;
+  std::vector<SpringSample> springs_;
+};
+
+}  // namespace ice_ice_baby

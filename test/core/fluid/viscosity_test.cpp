@@ -1,0 +1,129 @@
+#include "fluid/viscosity.h"
+
+#include <gtest/gtest.h>
+
+#include "fixtures.h"
+
+namespace ice_ice_baby {
+namespace {
+
+using test::Cloud;
+
+template <class Real>
+Cloud<Real> movingCloud(const std::vector<Vec3d>& points) {
+  Cloud<Real> cloud(points, 0.1, 0.01);
+  test::Random random(71);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    cloud.particles.velocity.set(i, random.direction().cast<Real>());
+  }
+  return cloud;
+}
+
+Scene viscousScene(double rate_1_s) {
+  Scene scene;
+  scene.fluid.spacing_m = 0.05;
+  scene.solver.viscosity_1_s = rate_1_s;
+  return scene;
+}
+
+double volumeOf(const Scene& scene) {
+  return particleMass_kg(scene.fluid, 0.1) / scene.fluid.rest_density_kg_m3;
+}
+
+template <class Real>
+class ViscosityTest : public testing::Test {};
+using Reals = testing::Types<float, double>;
+TYPED_TEST_SUITE(ViscosityTest, Reals);
+
+TYPED_TEST(ViscosityTest, IsTheSumOverEveryPair) {
+  const double rate = 20, dt = 0.004;
+  auto cloud =
+      movingCloud<TypeParam>(test::randomPoints(253, Vec3d::Zero(), Vec3d::Constant(0.3), 72));
+  const Particles<TypeParam> before = cloud.particles;
+  const Scene scene = viscousScene(rate);
+  Viscosity<TypeParam> viscosity(scene, volumeOf(scene));
+  PackedXyzw<TypeParam> rows;
+  viscosity.apply(cloud.particles, cloud.neighbours, dt, rows);
+  const CubicSpline<double> kernel(0.1);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    Vec3d v = before.velocity.at(i).template cast<double>();
+    for (std::size_t j = 0; j < before.size(); ++j) {
+      const double r = (before.predicted.at(i) - before.predicted.at(j)).norm();
+      v += (1 - std::exp(-rate * dt)) * volumeOf(scene) * kernel.w(r) *
+           (before.velocity.at(j) - before.velocity.at(i)).template cast<double>();
+    }
+    EXPECT_LT((cloud.particles.velocity.at(i).template cast<double>() - v).norm(),
+              sizeof(TypeParam) == 8 ? 1e-12 : 1e-4);
+  }
+}
+
+TEST(ViscosityConservation, KeepsMomentumAndTakesEnergy) {
+  auto cloud =
+      movingCloud<double>(test::randomPoints(800, Vec3d::Zero(), Vec3d::Constant(0.45), 73));
+  const Scene scene = viscousScene(30);
+  Viscosity<double> viscosity(scene, volumeOf(scene));
+  PackedXyzw<double> rows;
+  const Vec3d momentum = test::sumOf(cloud.particles.velocity);
+  const auto energy = [&] {
+    double sum = 0;
+    for (std::size_t i = 0; i < 800; ++i) sum += cloud.particles.velocity.at(i).squaredNorm();
+    return sum;
+  };
+  const double before = energy();
+  viscosity.apply(cloud.particles, cloud.neighbours, 0.002, rows);
+  EXPECT_LT((test::sumOf(cloud.particles.velocity) - momentum).norm(), 1e-12 * 800);
+  EXPECT_LT(energy(), before);
+}
+
+TEST(ViscosityConservation, TakesEnergyFromWaterThatIsFarTooDense) {
+  const auto points = test::randomPoints(800, Vec3d::Zero(), Vec3d::Constant(0.2), 73);
+  auto cloud = movingCloud<double>(points);
+  const Scene scene = viscousScene(1e4);
+  const CubicSpline<double> kernel(scene.supportRadius_m());
+  double densest = 0;
+  for (const Vec3d& x : points) {
+    double density = 0;
+    for (const Vec3d& y : points) density += volumeOf(scene) * kernel.w((x - y).norm());
+    densest = std::max(densest, density);
+  }
+  ASSERT_GT(densest, 5.0);
+  Viscosity<double> viscosity(scene, volumeOf(scene));
+  PackedXyzw<double> rows;
+  double before = std::numeric_limits<double>::max();
+  for (int k = 0; k < 20; ++k) {
+    viscosity.apply(cloud.particles, cloud.neighbours, 1.0, rows, densest);
+    double energy = 0;
+    for (std::size_t i = 0; i < 800; ++i) energy += cloud.particles.velocity.at(i).squaredNorm();
+    ASSERT_LT(energy, before);
+    before = energy;
+  }
+}
+
+TEST(ViscosityRate, DoesNotDependOnTheNumberOfSubsteps) {
+  const auto after = [](int substeps) {
+    auto cloud = movingCloud<double>({Vec3d::Zero(), Vec3d(0.03, 0, 0)});
+    const Scene scene = viscousScene(5);
+    Viscosity<double> viscosity(scene, volumeOf(scene));
+    PackedXyzw<double> rows;
+    for (int k = 0; k < substeps; ++k) {
+      viscosity.apply(cloud.particles, cloud.neighbours, 0.02 / substeps, rows);
+    }
+    return (cloud.particles.velocity.at(0) - cloud.particles.velocity.at(1)).norm();
+  };
+  EXPECT_NEAR(after(1) / after(64), 1.0, 0.01);
+}
+
+TEST(ViscosityRate, ACommonVelocityStays) {
+  auto cloud = movingCloud<double>(test::lattice(5, 0.05));
+  for (std::size_t i = 0; i < 125; ++i) cloud.particles.velocity.set(i, {1, -2, 3});
+  const Scene scene = viscousScene(1e4);
+  Viscosity<double> viscosity(scene, volumeOf(scene));
+  PackedXyzw<double> rows;
+  viscosity.apply(cloud.particles, cloud.neighbours, 1.0, rows);
+  for (std::size_t i = 0; i < 125; ++i) {
+    EXPECT_LT((cloud.particles.velocity.at(i) - Vec3d(1, -2, 3)).norm(), 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace ice_ice_baby

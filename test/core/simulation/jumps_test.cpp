@@ -1,0 +1,207 @@
+// Colliders that move through water, and ones that are moved further in a frame than anything may
+// go: what they hold comes along, what they land on makes room, and nothing shoots away.
+#include <gtest/gtest.h>
+
+#include "fixtures.h"
+#include "simulation/simulator.h"
+
+namespace ice_ice_baby {
+namespace {
+
+using test::ball;
+using test::blockOf;
+using test::Random;
+
+constexpr double kSpacing_m = 0.05;
+constexpr double kRadius_m = kSpacing_m / 2;
+
+/// Water 0.3 m deep, at rest, in a closed tank.
+Scene pool() {
+  Scene scene;
+  scene.fluid.spacing_m = kSpacing_m;
+  scene.blocks.push_back(blockOf({-0.5, -0.4, 0}, {0.5, 0.4, 0.3}));
+  scene.containers.push_back(test::tankOf({1, 0.8, 0.8}, false));
+  return scene;
+}
+
+std::vector<ParticleSample> samplesOf(const Simulation& simulation) {
+  std::vector<ParticleSample> samples;
+  simulation.sample(samples);
+  return samples;
+}
+
+Vec3d at(const ParticleSample& s) { return {s.x, s.y, s.z}; }
+
+/// Of all particles from a point, m.
+double nearestTo(const Simulation& simulation, const Vec3d& centre) {
+  double nearest = 1e9;
+  for (const ParticleSample& s : samplesOf(simulation)) {
+    nearest = std::min(nearest, (at(s) - centre).norm());
+  }
+  return nearest;
+}
+
+void expectWhole(const Simulation& simulation, std::size_t particles) {
+  EXPECT_EQ(simulation.report().particles, particles);
+  EXPECT_EQ(simulation.report().non_finite, 0u);
+  EXPECT_EQ(simulation.countEscaped(), 0u);
+}
+
+Posed posed(const Vec3d& position, const Vec3d& rpy_deg = Vec3d::Zero()) {
+  return poseOf(position, rpy_deg);
+}
+
+class JumpsTest : public testing::Test {
+ protected:
+  /// A pool that has come to rest.
+  std::unique_ptr<Simulation> rested(const Scene& scene) {
+    auto simulation = makeSimulation(scene, Precision::kFloat, 1);
+    for (int frame = 0; frame < 20; ++frame) simulation->advanceFrame();
+    particles_ = simulation->report().particles;
+    return simulation;
+  }
+  /// Largest speed over the next frames.
+  static double fastest(Simulation& simulation, int frames) {
+    double most = 0.0;
+    for (int k = 0; k < frames; ++k) {
+      most = std::max(most, simulation.advanceFrame().max_speed_m_s);
+    }
+    return most;
+  }
+  /// Moves the tank far away and holds that all of it came along as it was, nearer than `within_m`.
+  static Posed expectCarried(Simulation& simulation, double within_m) {
+    const std::vector<ParticleSample> was = samplesOf(simulation);
+    const Posed there = posed({80, -60, 40}, {0, 0, 170});
+    simulation.moveCollider("tank", there);
+    simulation.advanceFrame();
+    const std::vector<ParticleSample> is = samplesOf(simulation);
+    for (std::size_t k = 0; k < was.size(); ++k) {
+      EXPECT_LT((there.toLocal(at(is[k])) - at(was[k])).norm(), within_m);
+    }
+    return there;
+  }
+
+  std::size_t particles_ = 0;
+};
+
+TEST_F(JumpsTest, ATankThatJumpsTakesItsWaterAlongAsItIs) {
+  const auto simulation = rested(pool());
+  const double before = simulation->report().max_speed_m_s;
+  expectCarried(*simulation, 0.3 * kSpacing_m);
+  EXPECT_EQ(simulation->report().speed_limited, particles_) << "it is told";
+  EXPECT_LT(fastest(*simulation, 10), before + 0.3);
+  expectWhole(*simulation, particles_);
+  EXPECT_EQ(simulation->report().speed_limited, 0u);
+}
+
+TEST_F(JumpsTest, TwoTanksThatChangePlacesChangeTheirWater) {
+  Scene scene = pool();
+  scene.containers.push_back(test::tankOf({1, 0.8, 0.8}, true, "other"));
+  scene.containers[1].position_m = {3, 0, 0};
+  scene.blocks.push_back(blockOf({2.5, -0.4, 0}, {3.5, 0.4, 0.1}));
+  const auto simulation = rested(scene);
+  simulation->moveCollider("tank", posed({3, 0, 0}));
+  simulation->moveCollider("other", posed({0, 0, 0}));
+  simulation->advanceFrame();
+  expectWhole(*simulation, particles_);
+  for (const ParticleSample& s : samplesOf(*simulation)) {
+    EXPECT_NEAR(s.x, s.id < 20 * 16 * 6 ? 3.0 : 0.0, 0.5) << s.id;
+  }
+}
+
+TEST_F(JumpsTest, ABallThatAppearsInThePoolShootsNothingAway) {
+  Scene scene = pool();
+  scene.spheres.push_back(ball({0, 0, 5}, 0.12));
+  const auto simulation = rested(scene);
+  const Vec3d centre(0.1, 0.05, 0.15);
+  simulation->moveCollider("ball", posed(centre));
+  // A ball of 3.6 litres presses water out of its place: it may rise like a wave, not like a jet.
+  EXPECT_LT(fastest(*simulation, 20), 3.0);
+  EXPECT_GT(nearestTo(*simulation, centre), 0.12 + 0.98 * kRadius_m);
+  expectWhole(*simulation, particles_);
+}
+
+TEST_F(JumpsTest, AGroundThatRisesAtOnceLiftsWithoutAThrow) {
+  Scene scene = test::floatingCube(6);
+  scene.planes.emplace_back().name = "ground";
+  scene.blocks[0].min_m.z() += 0.01;
+  scene.blocks[0].max_m.z() += 0.01;
+  Simulator<float> simulator(scene, 1);
+  simulator.moveCollider("ground", posed({0, 0, 2}));
+  EXPECT_LT(fastest(simulator, 20), 3.0);
+  const auto& z = simulator.particles().position.z;
+  EXPECT_GT(*std::min_element(z.begin(), z.end()), 2 + 0.98 * kRadius_m);
+}
+
+TEST_F(JumpsTest, WhereverCollidersAreThrownEverythingStaysWholeAndSlow) {
+  Random random(81);
+  Scene scene = pool();
+  scene.spheres.push_back(ball({0, 0, 0.6}, 0.1));
+  Plane plate;
+  plate.name = "plate";
+  plate.size_x_m = plate.size_y_m = 0.4;
+  plate.thickness_m = 0.01;
+  plate.position_m = {0, 0, 2};
+  scene.planes.push_back(plate);
+  const auto simulation = rested(scene);
+  double most = 0.0;
+  Posed tank = posed({0, 0, 0});
+  for (int frame = 0; frame < 150; ++frame) {
+    if (frame % 5 == 0) {
+      tank.position = random.uniform(0, 1) < 0.5 ? tank.position : Vec3d(50 * random.direction());
+      tank.rotation =
+          Eigen::AngleAxisd(random.uniform(-3.1, 3.1), random.direction()) * tank.rotation;
+      simulation->moveCollider("tank", tank);
+    }
+    for (const char* name : {"ball", "plate"}) {
+      Posed pose = posed(tank.toWorld(random.inBox({-0.6, -0.5, -0.1}, {0.6, 0.5, 0.9})));
+      pose.rotation = Eigen::AngleAxisd(random.uniform(-3, 3), random.direction()).matrix();
+      if (frame % 3 == 0) simulation->moveCollider(name, pose);
+    }
+    most = std::max(most, simulation->advanceFrame().max_speed_m_s);
+    expectWhole(*simulation, particles_);
+  }
+  EXPECT_LE(most, 30.001);
+}
+
+TEST_F(JumpsTest, ABallDrawnThroughThePoolMakesNothingMuchFasterThanItself) {
+  for (const double speed : {0.5, 2.0, 8.0, 25.0}) {
+    Scene scene = pool();
+    scene.spheres.push_back(ball({-0.3, 0, 0.15}, 0.06));
+    scene.blocks = {blockOf({-0.2, -0.4, 0}, {0.5, 0.4, 0.3})};
+    const auto simulation = rested(scene);
+    const double frame_s = 1 / scene.solver.frame_rate_hz;
+    double most = 0.0;
+    Vec3d centre(-0.3, 0, 0.15);
+    while (centre.x() < 0.3) {
+      centre.x() += speed * frame_s;
+      simulation->moveCollider("ball", posed(centre));
+      most = std::max(most, simulation->advanceFrame().max_speed_m_s);
+      EXPECT_GT(nearestTo(*simulation, centre), 0.06 + 0.98 * kRadius_m) << speed;
+    }
+    EXPECT_LT(most, 2.5 * speed + 2.5) << speed;
+    expectWhole(*simulation, particles_);
+  }
+}
+
+TEST_F(JumpsTest, IceGoesAlongAndMakesRoomAsWell) {
+  Scene scene;
+  scene.fluid.spacing_m = kSpacing_m;
+  scene.thermal.enabled = true;
+  scene.thermal.speedup = 0;
+  scene.containers.push_back(test::tankOf({1, 0.8, 0.8}, false));
+  scene.blocks.push_back(blockOf({-0.3, -0.1, 0}, {-0.1, 0.1, 0.2}));
+  scene.blocks[0].celsius = -5;
+  scene.spheres.push_back(ball({5, 0, 0}, 0.1));
+  const auto simulation = rested(scene);
+  const Posed there = expectCarried(*simulation, 0.01);
+  EXPECT_LT(simulation->report().max_speed_m_s, 0.3);
+  const Vec3d centre = there.toWorld({-0.2, 0.02, 0.12});
+  simulation->moveCollider("ball", posed(centre));
+  EXPECT_LT(fastest(*simulation, 10), 3.0);
+  EXPECT_GT(nearestTo(*simulation, centre), 0.1 + 0.5 * kRadius_m);
+  expectWhole(*simulation, particles_);
+}
+
+}  // namespace
+}  // namespace ice_ice_baby

@@ -1,0 +1,62 @@
+#include "particle_colour.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace ice_ice_baby {
+namespace {
+
+int red(std::uint32_t colour) { return static_cast<int>(colour >> 16 & 255u); }
+int blue(std::uint32_t colour) { return static_cast<int>(colour & 255u); }
+
+ParticleSample waterAt(float celsius) {
+  ParticleSample sample{};
+  sample.density = 1.0f;
+  sample.temperature_c = celsius;
+  return sample;
+}
+
+TEST(ParticleColourTest, MixingHoldsTheShareBetweenBothColours) {
+  const Colour a{0.2f, 0.4f, 0.6f}, b{0.4f, 0.8f, 0.2f};
+  EXPECT_FLOAT_EQ(mixed(a, b, 0.25f).red, 0.25f);
+  EXPECT_FLOAT_EQ(mixed(a, b, 0.25f).green, 0.5f);
+  EXPECT_FLOAT_EQ(mixed(a, b, 0.25f).blue, 0.5f);
+  EXPECT_EQ(mixed(a, b, -3.0f).red, a.red);
+  EXPECT_FLOAT_EQ(mixed(a, b, 3.0f).blue, b.blue);
+}
+
+TEST(ParticleColourTest, WaterGoesFromBlueToRedWithoutAStep) {
+  int redness = red(heatColour(waterAt(-5.0f))) - blue(heatColour(waterAt(-5.0f)));
+  for (float celsius = -5.0f; celsius <= 105.0f; celsius += 0.25f) {
+    const std::uint32_t colour = heatColour(waterAt(celsius));
+    const int next = red(colour) - blue(colour);
+    EXPECT_LE(std::abs(next - redness), 4) << celsius;
+    redness = next;
+  }
+  EXPECT_EQ(heatColour(waterAt(-5.0f)), heatColour(waterAt(0.0f)));
+  EXPECT_EQ(heatColour(waterAt(105.0f)), heatColour(waterAt(100.0f)));
+  EXPECT_LT(red(heatColour(waterAt(0.0f))), blue(heatColour(waterAt(0.0f))));
+  EXPECT_GT(red(heatColour(waterAt(100.0f))), blue(heatColour(waterAt(100.0f))));
+}
+
+TEST(ParticleColourTest, AtTwentyDegreesHeatChangesNoColour) {
+  ParticleSample sample = waterAt(20.0f);
+  EXPECT_EQ(heatColour(sample), particleColour(0.0f));
+  sample.ice_fraction = 1.0f;
+  EXPECT_EQ(heatColour(sample), particleColour(1.0f));
+}
+
+TEST(ParticleColourTest, SteamIsGreyHoweverHot) {
+  ParticleSample sample = waterAt(100.0f);
+  sample.density = static_cast<float>(kSteamDensity);
+  const std::uint32_t steam = heatColour(sample);
+  EXPECT_EQ(red(steam), std::lround(255 * kSteamColour.red));
+  EXPECT_EQ(blue(steam), std::lround(255 * kSteamColour.blue));
+  sample.temperature_c = 300.0f;
+  EXPECT_EQ(heatColour(sample), steam);
+}
+
+}  // namespace
+}  // namespace ice_ice_baby
