@@ -25,7 +25,7 @@ def outcome(status="ok", **report):
     finite, inside = told["non_finite"] == 0, told["escaped"] == 0
     lived = status in ("ok", "unstable") and finite and inside
     return types.SimpleNamespace(status=status, message="", report=told, survived=lambda: lived,
-                                 face=lambda name: told["error"].get(name, float("nan")))
+                                 metric=lambda name: told["error"].get(name, float("nan")))
 
 
 class Verdict(unittest.TestCase):

@@ -100,7 +100,7 @@ class Program(unittest.TestCase):
         for key in ("processor", "commit", "date", "command", "campaign", "points"):
             self.assertTrue(document[key], key)
         self.assertIn("--substeps 2,4", document["command"])
-        for name in ("error.png", "faces.png"):
+        for name in ("error.png", "metrics.png"):
             self.assertEqual((self.out / name).read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual(self.log(), ["2", "4", "2", "4"], "rounds, one run at a time")
 
@@ -237,7 +237,7 @@ class Program(unittest.TestCase):
         self.assertIn("| 1 | 4 substeps | 40 | 25,000 |", text)
         self.assertIn("| Other DFSPH tol 1 % | 609 |", text)
         self.assertIn("c0ffee", text)
-        for name in ("dam_break_error", "dam_break_faces", "column_error", "splash_error", "ice_error"):
+        for name in ("dam_break_error", "dam_break_metrics", "column_error", "splash_error", "ice_error"):
             self.assertIn(f"images/error_vs_runtime_{name}.png", text)
             picture = self.folder / "doc" / "images" / f"error_vs_runtime_{name}.png"
             self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")

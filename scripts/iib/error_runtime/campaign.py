@@ -99,7 +99,7 @@ def run_once(store, runner, reference, point):
     try:
         run = runner.run(point, record=record)
         if "report" in run:
-            run["faces"] = reference.faces(record, run["report"])
+            run["metrics"] = reference.metrics(record, run["report"])
         return run
     finally:
         record.unlink(missing_ok=True)

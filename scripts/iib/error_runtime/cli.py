@@ -20,7 +20,7 @@ DESCRIPTION = """Runs a scene over a grid of settings and reports error against 
 
 Each point of the grid runs --repeats times, one run at a time, in rounds: every point once, then
 every point again. Medians and spread go into --out as points.csv and points.json, pictures as
-error.png and faces.png. Ctrl-C loses only the run under way: the same command goes on where it
+error.png and metrics.png. Ctrl-C loses only the run under way: the same command goes on where it
 stopped. The same folder takes further points of the same scene, so a grid may grow."""
 
 EXAMPLES = """Examples:
@@ -139,7 +139,7 @@ def run_grid(args, program, command):
         from iib.error_runtime.plots import draw  # takes a second, so only where it is needed
 
         draw(out, rows, axes_of(runs), peers, pathlib.Path(args.scene).stem)
-    pictures = "" if args.no_pictures else ", error.png, faces.png"
+    pictures = "" if args.no_pictures else ", error.png, metrics.png"
     stable = sum(row["status"] == "ok" for row in rows)
     print(f"{len(rows)} points, {stable} stable; {out}/points.csv, points.json" + pictures)
     return 0 if stable else 2

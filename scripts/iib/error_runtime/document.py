@@ -2,10 +2,10 @@
 
 from iib.common import machine, markdown
 from iib.error_runtime import choices
-from iib.error_runtime.naming import face, setting, varying
+from iib.error_runtime.naming import metric, setting, varying
 from iib.error_runtime.studies import PEERS_STUDY, THREADS
 
-# Faces that the tables show, in this order, where the scene has them.
+# Metrics that the tables show, in this order, where the scene has them.
 COLUMNS = """density_mean density_max column_height_lost front_error energy_rise residual_speed_m_s
 apart within_a_spacing_s ice_drift_spacings ice_residual_speed_m_s""".split()
 
@@ -51,7 +51,7 @@ def percent(value):
 
 def shown(row, name):
     value = row.get(name, "")
-    return "–" if value in ("", None) else compact(value * face(name)[2])
+    return "–" if value in ("", None) else compact(value * metric(name)[2])
 
 
 def columns_of(rows):
@@ -62,7 +62,7 @@ def columns_of(rows):
 
 def points_table(rows, keys):
     names = columns_of(rows)
-    header = ["setting", "µs/particle/s"] + [f"{face(n)[0]}, {face(n)[1]}" for n in names]
+    header = ["setting", "µs/particle/s"] + [f"{metric(n)[0]}, {metric(n)[1]}" for n in names]
     lines = []
     for row in sorted(rows, key=lambda row: row.get(choices.COST, 0)):
         cost = f"{row[choices.COST]:.0f}" if choices.COST in row else "–"
@@ -80,7 +80,9 @@ def study_section(result):
     text += "".join(f", `{word}`" for word in constants["set"]) + ".\n\n"
     if study.picture:
         name = f"images/error_vs_runtime_{study.name}_"
-        text += f"![error against run time]({name}error.png)\n![other faces]({name}faces.png)\n\n"
+        text += (
+            f"![error against run time]({name}error.png)\n![other metrics]({name}metrics.png)\n\n"
+        )
     if study.water:
         text += "The front:\n\n"
         rows = [row for row in rows if row["on_front"]]

@@ -5,7 +5,7 @@ import textwrap
 
 from matplotlib import ticker
 
-from iib.error_runtime.naming import face, main_axis, sort_key, varying, words
+from iib.error_runtime.naming import main_axis, metric, sort_key, varying, words
 from iib.error_runtime.points import mark_front
 
 # Column along x: a copy of another one, put there by with_cost().
@@ -51,11 +51,11 @@ def series_of(rows, axes):
 
 
 def value_of(row, name):
-    """A face in the unit in which it is drawn; None where the row has none."""
+    """A metric in the unit in which it is drawn; None where the row has none."""
     value = row.get(name, "")
     if value in ("", None) or not math.isfinite(value):
         return None
-    return abs(value) * face(name)[2]
+    return abs(value) * metric(name)[2]
 
 
 def drawable(rows, name):

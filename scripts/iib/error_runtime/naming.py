@@ -1,4 +1,4 @@
-"""What settings and faces are called in pictures and tables."""
+"""What settings and metrics are called in pictures and tables."""
 
 # key: text with the value in it
 AXES = {
@@ -14,8 +14,8 @@ AXES = {
     "threads": "{} threads",
 }
 
-# face: (what it is, unit as drawn, factor to that unit)
-FACES = {
+# metric: (what it is, unit as drawn, factor to that unit)
+METRICS = {
     "density_mean": ("mean density error", "%", 100),
     "density_max": ("largest density error", "%", 100),
     "own_density_mean": ("mean density error, own kernel", "%", 100),
@@ -38,10 +38,10 @@ def words(key, value):
     return text[:-1] if str(value) == "1" and key in AXES and text.endswith("s") else text
 
 
-def face(name):
-    """(what it is, unit, factor) of any face."""
-    if name in FACES:
-        return FACES[name]
+def metric(name):
+    """(what it is, unit, factor) of any metric."""
+    if name in METRICS:
+        return METRICS[name]
     if name.startswith("apart_spacings_at_"):
         return ("distance to the reference at " + name[18:].replace("_", " "), "spacings", 1)
     return (name, "", 1)

@@ -1,4 +1,4 @@
-"""Pictures of a campaign: error.png, and faces.png with every other face of the error."""
+"""Pictures of a campaign: error.png, and metrics.png with the other metrics of the error."""
 
 import math
 import pathlib
@@ -18,7 +18,7 @@ from iib.error_runtime.marks import (
     value_of,
     with_cost,
 )
-from iib.error_runtime.naming import face, words
+from iib.error_runtime.naming import metric, words
 
 # Columns of the cost.
 PER_PARTICLE = ("us_per_particle_per_s", "µs per particle and simulated second")
@@ -35,7 +35,7 @@ STYLE = {
     "savefig.dpi": 130,
 }
 
-# Faces worth a panel, in this order, where the scene has them.
+# Metrics worth a panel, in this order, where the scene has them.
 PANELS = """density_max column_height_lost front_error energy_rise volume_lost apart
 residual_speed_m_s ice_drift_spacings ice_residual_speed_m_s""".split()
 
@@ -52,7 +52,7 @@ def error_picture(path, rows, axes_keys, peers, title, xlabel=PER_PARTICLE[1], n
     mark_unplaced(axes, rows, name)
     axes.margins(0.09)
     axes.set_xlabel(xlabel)
-    axes.set_ylabel(f"{face(name)[0]}, {face(name)[1]}")
+    axes.set_ylabel(f"{metric(name)[0]}, {metric(name)[1]}")
     axes.set_title(f"{title}: error against run time", pad=10)
     axes.grid(which="major", color="0.92")
     axes.figure.canvas.draw()
@@ -69,8 +69,8 @@ def error_picture(path, rows, axes_keys, peers, title, xlabel=PER_PARTICLE[1], n
     pyplot.close(figure)
 
 
-def face_panel(axes, rows, along, all_series, peers, name):
-    what, unit, _ = face(name)
+def metric_panel(axes, rows, along, all_series, peers, name):
+    what, unit, _ = metric(name)
     values = [value_of(row, name) for row in drawable(rows, name)]
     axes.set_xscale("log")
     if max(values) > 5 * min(values):
@@ -93,13 +93,13 @@ def face_panel(axes, rows, along, all_series, peers, name):
 
 
 def panels_of(rows):
-    """Faces that have anything to draw; of the distances to the reference the latest."""
+    """Metrics that have anything to draw; of the distances to the reference the latest."""
     apart = [name for row in rows for name in row if name.startswith("apart_spacings_at_")]
     names = [name if name != "apart" else apart[-1] if apart else "" for name in PANELS]
     return [name for name in names if len(drawable(rows, name)) > 0]
 
 
-def faces_picture(path, rows, axes_keys, peers, title):
+def metrics_picture(path, rows, axes_keys, peers, title):
     names = panels_of(rows)
     if not names:
         return
@@ -110,7 +110,7 @@ def faces_picture(path, rows, axes_keys, peers, title):
     grid = figure.add_gridspec(lines + 1, columns, height_ratios=[2.7] * lines + [0.4])
     for number, name in enumerate(names):
         axes = figure.add_subplot(grid[divmod(number, columns)])
-        face_panel(axes, rows, along, all_series, peers, name)
+        metric_panel(axes, rows, along, all_series, peers, name)
         if number + columns >= len(names):
             axes.set_xlabel(PER_PARTICLE[1], fontsize=8)
     strip = figure.add_subplot(grid[lines, :])
@@ -118,13 +118,13 @@ def faces_picture(path, rows, axes_keys, peers, title):
     strip.legend(
         *figure.axes[0].get_legend_handles_labels(), loc="upper center", ncols=4, fontsize=8
     )
-    figure.suptitle(f"{title}: the other faces of the error", x=0.01, ha="left", fontweight="bold")
+    figure.suptitle(f"{title}: other metrics of the error", x=0.01, ha="left", fontweight="bold")
     figure.savefig(path)
     pyplot.close(figure)
 
 
 def draw(folder, rows, axes_keys, peers, title, prefix=""):
-    """Writes PREFIXerror.png and PREFIXfaces.png into the folder.
+    """Writes PREFIXerror.png and PREFIXmetrics.png into the folder.
 
     Where points differ in their number of particles, the cost per particle hides what a scene
     costs: then PREFIXerror_run_time.png has that.
@@ -134,7 +134,7 @@ def draw(folder, rows, axes_keys, peers, title, prefix=""):
     per_particle = with_cost(rows, PER_PARTICLE[0])
     with pyplot.rc_context(STYLE):
         error_picture(folder / f"{prefix}error.png", per_particle, axes_keys, peers, title)
-        faces_picture(folder / f"{prefix}faces.png", per_particle, axes_keys, peers, title)
+        metrics_picture(folder / f"{prefix}metrics.png", per_particle, axes_keys, peers, title)
         if len({row["particles"] for row in rows if "particles" in row}) > 1:
             error_picture(
                 folder / f"{prefix}error_run_time.png",

@@ -5,10 +5,10 @@ import statistics
 from iib.error_runtime.grid import identity
 from iib.error_runtime.pareto import front
 
-# Faces of the error that come before the others, if the scene has them.
-FIRST_FACES = ["density_mean", "density_max"]
+# Metrics of the error that come before the others, if the scene has them.
+FIRST_METRICS = ["density_mean", "density_max"]
 
-# Faces of which the report keeps the value outside of "error".
+# Metrics of which the report keeps the value outside of "error".
 SPEEDS = ["rms_speed_m_s", "residual_speed_m_s", "max_speed_m_s"]
 
 
@@ -42,23 +42,23 @@ def row_of(runs, axes):
     spread(row, "wall_s_per_s", per_s)
     if report["particles"] > 0:
         spread(row, "us_per_particle_per_s", [1e6 * s / report["particles"] for s in per_s])
-    faces = report.get("error", {})
-    for name in FIRST_FACES + [name for name in faces if name not in FIRST_FACES]:
-        if name in faces:
-            row[name] = faces[name]
-    row.update(run_faces(runs))
+    metrics = report.get("error", {})
+    for name in FIRST_METRICS + [name for name in metrics if name not in FIRST_METRICS]:
+        if name in metrics:
+            row[name] = metrics[name]
+    row.update(run_metrics(runs))
     for name in SPEEDS:
         row[name] = report[name]
     row["state_hash"] = report["state_hash"]
     return row
 
 
-def run_faces(runs):
-    """Faces that this program itself found, as the distance to the reference."""
-    faces = {}
+def run_metrics(runs):
+    """Metrics that this program itself found, as the distance to the reference."""
+    metrics = {}
     for run in runs:
-        faces.update(run.get("faces", {}))
-    return faces
+        metrics.update(run.get("metrics", {}))
+    return metrics
 
 
 def worst_status(runs):

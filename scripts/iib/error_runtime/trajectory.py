@@ -67,8 +67,8 @@ class Reference:
             raise Refusal(f"--trajectory: the reference is {run['status']}: {run['message']}")
         return run
 
-    def faces(self, record_path, report):
-        """Faces of a run whose positions were recorded; none where the particles are others."""
+    def metrics(self, record_path, report):
+        """Metrics of a run whose positions were recorded; none where the particles are others."""
         fluid, solver = report["settings"]["fluid"], report["settings"]["solver"]
         same = (report["particles"], fluid["spacing_m"], solver["frame_rate_hz"]) == tuple(
             self.kept[key] for key in ("particles", "spacing_m", "frame_rate_hz")
@@ -77,12 +77,12 @@ class Reference:
             return {}
         reference = numpy.load(self.path(NAMES[0]), mmap_mode="r")
         apart = distances(numpy.load(record_path), reference, self.kept["spacing_m"])
-        faces = {}
+        metrics = {}
         for part in (0.25, 0.5, 1.0):
             frame = round(part * (len(reference) - 1))
             if frame < len(apart):
-                faces[f"apart_spacings_at_{frame / self.kept['frame_rate_hz']:.2f}_s"] = float(
+                metrics[f"apart_spacings_at_{frame / self.kept['frame_rate_hz']:.2f}_s"] = float(
                     apart[frame]
                 )
-        faces["within_a_spacing_s"] = time_within(apart, self.kept["frame_rate_hz"])
-        return faces
+        metrics["within_a_spacing_s"] = time_within(apart, self.kept["frame_rate_hz"])
+        return metrics

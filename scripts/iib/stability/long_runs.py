@@ -60,7 +60,7 @@ def turned_degrees(positions):
     return np.array(angles)
 
 
-def faces(one, outcome):
+def curves(one, outcome):
     """Name to values over time, with unit."""
     series = outcome.series()
     over_time = {
@@ -141,7 +141,7 @@ def measure(one, steps, runner):
             [],
             [],
         )
-    _, over_time = faces(one, outcome)
+    _, over_time = curves(one, outcome)
     rows = [(name, *map(float, tenths(values))) for name, values in over_time.items()]
     return LongMeasured(
         one.name,

@@ -2,7 +2,7 @@
 
 import math
 
-from iib.stability.long_runs import SETTLED, faces
+from iib.stability.long_runs import SETTLED, curves
 from iib.stability.verdict import DEGRADED, REFUSED, STABLE, UNSTABLE
 
 LOOKS = {
@@ -128,7 +128,7 @@ def draw_long(runs, path):
     """runs: of each long run its description and its outcome."""
     from iib.common.plotting import pyplot
 
-    drawn = [(one, *faces(one, outcome)) for one, outcome in runs if outcome.survived()]
+    drawn = [(one, *curves(one, outcome)) for one, outcome in runs if outcome.survived()]
     if not drawn:
         return
     columns = max(len(over_time) for _, _, over_time in drawn)

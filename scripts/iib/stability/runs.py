@@ -71,7 +71,7 @@ class Outcome:
         """Columns over time, the start first."""
         return columns(self.folder / "series.csv")
 
-    def face(self, name):
+    def metric(self, name):
         return self.report.get("error", {}).get(name, float("nan"))
 
     def finite(self):

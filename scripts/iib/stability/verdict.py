@@ -13,7 +13,7 @@ MOST_CUT = 0.01  # corrections that were cut, per particle and substep
 
 
 def worse(value, bound):
-    """A face that the scene lacks is no worse."""
+    """A metric that the scene lacks is no worse."""
     return not math.isnan(value) and value > bound
 
 
@@ -24,7 +24,7 @@ def cut_share(report):
 
 def energy_rise(outcome):
     """Without work, of what the scene holds; steam is lifted by heat, which is work."""
-    return math.nan if outcome.report.get("most_steam", 0) > 0 else outcome.face("energy_rise")
+    return math.nan if outcome.report.get("most_steam", 0) > 0 else outcome.metric("energy_rise")
 
 
 def verdict(outcome):
