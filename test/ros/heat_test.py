@@ -12,7 +12,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 from iib.ros.node import Node
 
 
-class ThermalSolver(unittest.TestCase):
+class Heat(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node('heat_test')

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The layout holds: no circle between files or folders, no ROS in the core, no TBB in public headers."""
+"""The layout: no circle between files or folders, no ROS in the core, no TBB in public headers."""
 
 import pathlib
 import re
