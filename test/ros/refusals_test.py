@@ -17,7 +17,7 @@ ODD = 'a\x00b\n"\\'
 
 
 def torch(**changes):
-    return dict(dict(shape='ball', centre=Point(0.0, 0.0, 0.2), size=Vector3(0.2, 0.2, 0.2),
+    return dict(dict(shape='sphere', centre=Point(0.0, 0.0, 0.2), size=Vector3(0.2, 0.2, 0.2),
                      power_w=500.0, duration_s=1.0), **changes)
 
 
@@ -61,8 +61,8 @@ WITHOUT_HEAT = [
 WITH_HEAT = [
     ('set_temperature', dict(temperature=5.0, target='plat'), ['plat', 'container, plate']),
     ('set_temperature', dict(temperature=NAN, target='plate'), ['nan', '[-273.15, 1000]']),
-    ('heat_region', torch(shape='cone'), ['cone', 'box, ball']),
-    ('heat_region', torch(shape=LONG), ['xxx', 'box, ball']),
+    ('heat_region', torch(shape='cone'), ['cone', 'box, sphere']),
+    ('heat_region', torch(shape=LONG), ['xxx', 'box, sphere']),
     ('heat_region', torch(centre=Point(NAN, 0, 0)), ['centre x', 'nan', '[']),
     ('heat_region', torch(centre=Point(0, 1e9, 0)), ['centre y', '1e+09', '[']),
     ('heat_region', torch(size=Vector3(0.1, 0.1, -0.1)), ['size z', '-0.1', '[0, 200]']),
