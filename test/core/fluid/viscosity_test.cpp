@@ -78,7 +78,7 @@ TEST(ViscosityConservation, KeepsMomentumAndTakesEnergy) {
   EXPECT_LT(sumOfSquares(cloud), before);
 }
 
-/// Water several times as dense as at rest, under the largest viscosity that a scene may have.
+/// Water more than ten times as dense as at rest, at the largest viscosity of a scene.
 class CrowdedViscosity : public testing::Test {
  protected:
   /// Relative density of the densest place.
@@ -104,14 +104,14 @@ class CrowdedViscosity : public testing::Test {
 
   const Scene scene_ = viscousScene(1e4);
   const std::vector<Vec3d> points_ =
-      test::randomPoints(800, Vec3d::Zero(), Vec3d::Constant(0.2), 73);
+      test::randomPoints(800, Vec3d::Zero(), Vec3d::Constant(0.15), 73);
   Cloud<double> cloud_ = movingCloud<double>(points_);
   PackedXyzw<double> rows_;
 };
 
 TEST_F(CrowdedViscosity, KeepsMomentumAndTakesEnergyAndNoVelocityLeavesTheRangeOfAll) {
   const double density = densest();
-  ASSERT_GT(density, 5.0);
+  ASSERT_GT(density, 10.0);
   Viscosity<double> viscosity(scene_, volumeOf(scene_));
   const Vec3d momentum = test::sumOf(cloud_.particles.velocity);
   for (int k = 0; k < 20; ++k) {
@@ -133,8 +133,8 @@ TEST_F(CrowdedViscosity, OfSlushKeepsMomentumAndTakesEnergy) {
   const EnthalpyCurve curve(scene.thermal);
   Phases<double> phases(scene, points_.size());
   phases.update(curve,
-                std::vector<double>(points_.size(), 0.1 * scene.thermal.latent_heat_fusion_j_kg));
-  ASSERT_GT(phases.slush()[0], 0.8);
+                std::vector<double>(points_.size(), 0.01 * scene.thermal.latent_heat_fusion_j_kg));
+  ASSERT_GT(phases.slush()[0], 0.98);
   Viscosity<double> viscosity(scene, volumeOf(scene), &phases);
   const Vec3d momentum = test::sumOf(cloud_.particles.velocity);
   const double density = densest();
