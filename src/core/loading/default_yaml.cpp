@@ -1,4 +1,4 @@
-// Writes config/default.yaml, the manual, from the same description that reads it.
+// Writes config/default.yaml from the descriptions in params.h and scene_keys.h.
 #include <sstream>
 #include <type_traits>
 
