@@ -10,7 +10,7 @@ from geometry_msgs.msg import TransformStamped
 def move_spoon(event):
     spoon = TransformStamped()
     spoon.header.stamp = event.current_real
-    spoon.header.frame_id, spoon.child_frame_id = 'world', 'spoon'
+    spoon.header.frame_id, spoon.child_frame_id = "world", "spoon"
     angle = 4 * event.current_real.to_sec()
     spoon.transform.translation.x = 0.12 * math.cos(angle)
     spoon.transform.translation.y = 0.12 * math.sin(angle)
@@ -19,7 +19,7 @@ def move_spoon(event):
     broadcaster.sendTransform(spoon)
 
 
-rospy.init_node('move_spoon')
+rospy.init_node("move_spoon")
 broadcaster = tf2_ros.TransformBroadcaster()
 rospy.Timer(rospy.Duration(0.02), move_spoon)
 rospy.spin()
