@@ -24,6 +24,17 @@ std::string vectorText(const Vec3d& vector) {
          numberText(vector.z()) + "]";
 }
 
+/// Fills in the scenes that can be asked for by name; returns why there are none. A node that runs
+/// a scene by its path needs no scene folder.
+std::string listScenes(std::vector<std::string>& scenes) {
+  try {
+    scenes = sceneNames();
+    return "";
+  } catch (const InvalidInput& e) {
+    return e.what();
+  }
+}
+
 }  // namespace
 
 Services::Services(ros::NodeHandle& node, const NodeParameters& parameters,
@@ -128,8 +139,7 @@ bool Services::getState(GetState::Request&, GetState::Response& response) {
   return answer(response, [&] {
     response.state = stateMessage(simulation_.snapshot(), topics_.header(clock_.stamp()));
     response.state.topics = topics_.loads();
-    response.scenes = sceneNames();
-    return std::string();
+    return listScenes(response.scenes);
   });
 }
 

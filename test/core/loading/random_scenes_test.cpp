@@ -37,7 +37,7 @@ class Draw {
   }
   void operator()(const char* name, Mat3<double>& value, Range range, const char*) {
     if (!draws()) return;
-    for (double& part : value.reshaped()) part = number(range);
+    for (Eigen::Index k = 0; k < value.size(); ++k) value(k) = number(range);
     note(name, value);
   }
   void operator()(const char* name, bool& value, const char*) {
