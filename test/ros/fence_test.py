@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Who can reach the demo: what README.md says of its sockets, and that the fence holds."""
+"""Which sockets the demo opens, as README.md says, and that scripts/fence keeps others out."""
 import os
 import socket
 import subprocess
