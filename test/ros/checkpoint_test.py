@@ -2,6 +2,7 @@
 """Save, load, autosave and resume of a node that is killed at any moment."""
 import glob
 import os
+import pathlib
 import random
 import signal
 import subprocess
@@ -11,11 +12,11 @@ import threading
 import time
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-
 import rospy
 
-from harness import Node, wait_until
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Node, wait_until
+
 from processes import SIMULATION_NODE
 
 SPACING_M = 0.02  # 3375 particles: a file that takes a while to write

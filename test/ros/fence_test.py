@@ -3,13 +3,8 @@
 import os
 import socket
 import subprocess
-import sys
-import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from processes import SIMULATION_NODE, Processes
-
 SCRIPTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'scripts')
 FENCE = os.path.join(SCRIPTS, 'fence')
 LISTENS = '0A'
@@ -47,7 +42,7 @@ def listening(pid):
 class Fence(Processes):
     def demo_environment(self):
         """What scripts/demo sets for all that it starts."""
-        shell = 'source %s/lib.sh; use_private_master; env' % SCRIPTS
+        shell = 'source %s/lib/lib.sh; use_private_master; env' % SCRIPTS
         env = dict(os.environ, ROS_HOSTNAME='elsewhere', ROS_IP='10.0.0.1')
         lines = subprocess.run(['bash', '-c', shell], env=env, check=True, text=True,
                                stdout=subprocess.PIPE).stdout.splitlines()

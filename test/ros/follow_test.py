@@ -1,12 +1,10 @@
 #!/usr/bin/python3
 """A collider follows a tf frame; one whose frame is missing stands still and says so."""
 import math
-import os
+import pathlib
 import sys
 import time
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rosgraph
 import rospy
@@ -14,7 +12,8 @@ from geometry_msgs.msg import TransformStamped
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
-from harness import Latest, Node, wait_until
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Latest, Node, wait_until
 
 BALL = 'ice_ice_baby/scene/ball'
 

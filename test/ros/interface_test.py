@@ -1,13 +1,11 @@
 #!/usr/bin/python3
 """Every topic's content and every service's good and bad path, on a paused scene."""
 import math
-import os
+import pathlib
 import struct
 import sys
 import time
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rospy
 from geometry_msgs.msg import Vector3
@@ -17,7 +15,8 @@ from sensor_msgs.msg import PointCloud2, PointField
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
-from harness import Latest, Node, wait_until
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Latest, Node, wait_until
 
 PARTICLES = 216  # 0.3 m cubed at 0.05 m
 

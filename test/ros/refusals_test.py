@@ -1,16 +1,15 @@
 #!/usr/bin/python3
-"""Every bad request to every service names what is wrong and what is allowed, and changes nothing."""
+"""Every bad request names what is wrong and what is allowed, and changes nothing."""
 import math
-import os
+import pathlib
 import sys
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rospy
 from geometry_msgs.msg import Point, Vector3
 
-from harness import TYPES, Node
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import TYPES, Node
 
 NAN, INF = math.nan, math.inf
 LONG = 'x' * 100000
@@ -18,7 +17,7 @@ ODD = 'a\x00b\n"\\'
 
 
 def torch(**changes):
-    return dict(dict(shape='ball', centre=Point(0.0, 0.0, 0.2), size=Vector3(0.2, 0.2, 0.2),
+    return dict(dict(shape='sphere', centre=Point(0.0, 0.0, 0.2), size=Vector3(0.2, 0.2, 0.2),
                      power_w=500.0, duration_s=1.0), **changes)
 
 
@@ -62,8 +61,8 @@ WITHOUT_HEAT = [
 WITH_HEAT = [
     ('set_temperature', dict(temperature=5.0, target='plat'), ['plat', 'container, plate']),
     ('set_temperature', dict(temperature=NAN, target='plate'), ['nan', '[-273.15, 1000]']),
-    ('heat_region', torch(shape='cone'), ['cone', 'box, ball']),
-    ('heat_region', torch(shape=LONG), ['xxx', 'box, ball']),
+    ('heat_region', torch(shape='cone'), ['cone', 'box, sphere']),
+    ('heat_region', torch(shape=LONG), ['xxx', 'box, sphere']),
     ('heat_region', torch(centre=Point(NAN, 0, 0)), ['centre x', 'nan', '[']),
     ('heat_region', torch(centre=Point(0, 1e9, 0)), ['centre y', '1e+09', '[']),
     ('heat_region', torch(size=Vector3(0.1, 0.1, -0.1)), ['size z', '-0.1', '[0, 200]']),

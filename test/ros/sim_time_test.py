@@ -1,19 +1,18 @@
 #!/usr/bin/python3
 """ROS time that does not come, that runs, that jumps back."""
-import os
+import pathlib
 import sys
 import threading
 import time
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rospy
 from geometry_msgs.msg import TransformStamped
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
-from harness import Latest, Node
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Latest, Node
 
 BALL = 'ice_ice_baby/scene/ball'
 

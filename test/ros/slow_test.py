@@ -1,16 +1,15 @@
 #!/usr/bin/python3
 """Services answer within a frame though a frame takes long."""
-import os
+import pathlib
 import statistics
 import sys
 import time
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-
 import rospy
 
-from harness import Node
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Node
 
 
 class Slow(unittest.TestCase):

@@ -14,7 +14,7 @@ bool isControl(unsigned char byte) { return byte < 0x20 || byte == 0x7f; }
 }  // namespace
 
 std::string numberText(double value) {
-  if (std::isnan(value)) return "nan";  // whatever its sign
+  if (std::isnan(value)) return "nan";  // without a sign
   char text[32];
   const auto result = std::to_chars(text, text + sizeof text, value + 0.0);  // no "-0"
   return std::string(text, result.ptr);
@@ -66,7 +66,7 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearest(const std::string& word, const std::vector<std::string>& known) {
-  constexpr std::size_t kLongestWord = 100;  // the search is as long as the word
+  constexpr std::size_t kLongestWord = 100;  // bounds the time of the search
   if (word.size() > kLongestWord) return "";
   std::string best;
   std::size_t best_distance = word.size() / 2 + 1;

@@ -18,12 +18,12 @@ namespace {
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "checkpoints have the least byte first");
 
-/// Grows with whatever changes what an `exchange` lists.
+/// Increase it whenever the members listed by an `exchange` change.
 constexpr std::uint32_t kVersion = 1;
 
 constexpr std::string_view kMagic = "iib-ckpt";
 
-/// What stands before the state; the checksum covers all of it but itself, and the state.
+/// Precedes the state. The checksum covers the state and the header without the checksum.
 struct Header {
   char magic[8];
   std::uint32_t version;
@@ -34,7 +34,7 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32 && std::is_trivially_copyable_v<Header>);
 
-/// CRC-32 of zlib, going on from that of what stands before.
+/// CRC-32 of zlib, continued from the checksum of the preceding bytes.
 std::uint32_t crc32Of(std::string_view bytes, std::uint32_t before = 0) {
   const auto* first = reinterpret_cast<const Bytef*>(bytes.data());
   return static_cast<std::uint32_t>(crc32_z(before, first, bytes.size()));
@@ -54,7 +54,7 @@ std::uint32_t sceneKeys() {
 
 std::uint32_t realBytes(Precision precision) { return precision == Precision::kDouble ? 8 : 4; }
 
-/// The state behind a header that holds what it says.
+/// Returns the state after checking its header.
 std::string_view checkedState(std::string_view bytes, Header& header) {
   if (bytes.size() < kMagic.size() || bytes.substr(0, kMagic.size()) != kMagic) {
     throw InvalidInput("not a checkpoint; run_scene --save and the service save make them");

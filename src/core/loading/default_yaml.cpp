@@ -1,4 +1,4 @@
-// Writes config/default.yaml from the description of the keys that also reads them.
+// Writes config/default.yaml from the descriptions in params.h and scene_keys.h.
 #include <sstream>
 #include <type_traits>
 
