@@ -30,7 +30,7 @@ void alternate(WatchedRun& run, double cold_c, double warm_c) {
 }
 
 TEST_F(Commands, FreezeAndThawOfSpringsAt30Hz) {
-  line(8, "Springs frozen and thawed thirty times a second", "springs bounded, no energy gained");
+  line(8, "Springs frozen and thawed thirty times per second", "springs bounded, no energy gained");
   WatchedRun run(figures_, stabilityScene("splash"));
   alternate(run, -10, 20);
   EXPECT_LT(run.metric("energy_rise"), 1e-3);
@@ -38,7 +38,7 @@ TEST_F(Commands, FreezeAndThawOfSpringsAt30Hz) {
 }
 
 TEST_F(Commands, FreezeAndThawByHeatAt30Hz) {
-  line(8, "Water frozen and thawed by heat thirty times a second",
+  line(8, "Water frozen and thawed by heat thirty times per second",
        "springs bounded, no energy gained");
   WatchedRun run(figures_, stabilityScene("frost", {{"thermal.speedup", "1e6"}}));
   alternate(run, -200, 200);
@@ -61,7 +61,7 @@ TEST_F(Commands, GravityThatFlipsEveryFrame) {
 }
 
 TEST_F(Commands, AContainerThatJumps) {
-  line(16, "A closed tank jumps by up to 100 m within a frame, turning", "all carried along");
+  line(16, "A closed tank jumps by up to 100 m within a frame, turning", "the contents move along");
   for (const char* scene : {"splash", "iceberg", "hail"}) {
     WatchedRun run(figures_, stabilityScene(scene));
     const std::string name = run->scene().containers[0].name;
@@ -79,7 +79,7 @@ TEST_F(Commands, AContainerThatJumps) {
 }
 
 TEST_F(Commands, AContainerThatShakes) {
-  line(0, "A closed tank shaken by a tenth of a metre every frame", "all stay inside");
+  line(0, "A closed tank shaken by 0.1 m every frame", "all particles stay inside");
   for (const char* scene : {"splash", "iceberg", "hail"}) {
     WatchedRun run(figures_, stabilityScene(scene));
     const std::string name = run->scene().containers[0].name;
@@ -122,7 +122,7 @@ TEST_F(Commands, AbsurdTemperaturesAreRefused) {
 }
 
 TEST_F(Commands, AbsurdPosesAndGravityAreRefused) {
-  line(25, "Poses and gravity that are no numbers, mirrors or too far", "refused, nothing changed");
+  line(25, "Poses and gravity that are NaN, mirrored or too far away", "refused, nothing changed");
   Posed far, mirror, nowhere, bent;
   far.position = Vec3d(1e5, 0, 0);
   mirror.rotation = -Mat3<double>::Identity();
@@ -137,8 +137,8 @@ TEST_F(Commands, AbsurdPosesAndGravityAreRefused) {
 }
 
 TEST_F(Commands, ATorchOfAGigawatt) {
-  line(0, "A hundred torches and sprays of a gigawatt",
-       "contained, within the range of temperatures");
+  line(0, "A hundred heated and cooled regions of a gigawatt",
+       "contained, temperatures within their range");
   WatchedRun run(figures_, stabilityScene("frost"));
   Random random(7);
   for (std::size_t k = 0; k < kMaxHeatedRegions; ++k) {
@@ -157,7 +157,7 @@ TEST_F(Commands, ATorchOfAGigawatt) {
 }
 
 TEST_F(Commands, EverythingAtOnce) {
-  line(0, "Any command at any frame, each as large as is allowed", "contained");
+  line(0, "Random commands at random frames, each at its limit", "contained");
   Random random(11);
   for (const char* scene : {"splash", "frost", "hail"}) {
     WatchedRun run(figures_, stabilityScene(scene));
