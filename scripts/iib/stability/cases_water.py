@@ -52,8 +52,7 @@ def step_of_a_second(run):
 @case(2, rise=1.0, because="crushed in a step")
 def gravity_of_1e4(run):
     """Gravity of 10,000 m/s², vertical and oblique, with the default speed limit and without:
-    capped,
-    contained
+    capped, contained
     """
     usual = run("splash", "gravity_m_s2=[0, 0, -1e4]")
     run("splash", "gravity_m_s2=[1e4, 1e4, -1e4]")
