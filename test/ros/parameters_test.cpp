@@ -167,13 +167,13 @@ TEST(Parameters, PresetOfTheNodeIsAnOverride) {
   EXPECT_EQ(parseScene("{}", overridesFor(parameters, "paper")).preset, Preset::kPaper);
 }
 
-TEST(Parameters, ReadmeListsEachAsItIs) {
-  std::ifstream stream(IIB_README);
-  std::stringstream readme;
-  readme << stream.rdbuf();
+TEST(Parameters, DocumentListsEachAsItIs) {
+  std::ifstream stream(IIB_ROS_INTERFACE);
+  std::stringstream document;
+  document << stream.rdbuf();
   std::istringstream table(parameterTable());
   for (std::string row; std::getline(table, row);) {
-    EXPECT_TRUE(mentions(readme.str(), row)) << "README.md lacks the row\n" << row;
+    EXPECT_TRUE(mentions(document.str(), row)) << "doc/ros_interface.md lacks the row\n" << row;
   }
 }
 

@@ -25,7 +25,7 @@ void alternate(WatchedRun& run, double cold_c, double warm_c) {
 }
 
 TEST_F(Commands, FreezeAndThawOfSpringsAt30Hz) {
-  line(8, "Springs frozen and thawed thirty times a second", "springs bounded, no energy gained");
+  line(8, "Springs frozen and thawed thirty times per second", "springs bounded, no energy gained");
   WatchedRun run(figures_, stabilityScene("splash"));
   alternate(run, -10, 20);
   EXPECT_LT(run.metric("energy_rise"), 1e-3);
@@ -33,7 +33,7 @@ TEST_F(Commands, FreezeAndThawOfSpringsAt30Hz) {
 }
 
 TEST_F(Commands, FreezeAndThawByHeatAt30Hz) {
-  line(8, "Water frozen and thawed by heat thirty times a second",
+  line(8, "Water frozen and thawed by heat thirty times per second",
        "springs bounded, no energy gained");
   WatchedRun run(figures_, stabilityScene("frost", {{"thermal.speedup", "1e6"}}));
   alternate(run, -200, 200);
@@ -56,7 +56,7 @@ TEST_F(Commands, GravityThatFlipsEveryFrame) {
 }
 
 TEST_F(Commands, AContainerThatJumps) {
-  line(16, "A closed tank jumps by up to 100 m within a frame, turning", "all carried along");
+  line(16, "A closed tank jumps by up to 100 m within a frame, turning", "the contents move along");
   for (const char* scene : {"splash", "iceberg", "hail"}) {
     WatchedRun run(figures_, stabilityScene(scene));
     const std::string name = run->scene().containers[0].name;
@@ -95,8 +95,8 @@ TEST_F(Commands, AContainerThatShakes) {
 }
 
 TEST_F(Commands, ATorchOfAGigawatt) {
-  line(0, "A hundred torches and sprays of a gigawatt",
-       "contained, within the range of temperatures");
+  line(0, "A hundred heated and cooled regions of a gigawatt",
+       "contained, temperatures within their range");
   WatchedRun run(figures_, stabilityScene("frost"));
   Random random(7);
   for (std::size_t k = 0; k < kMaxHeatedRegions; ++k) {

@@ -41,7 +41,8 @@ double nearest_m(const WatchedRun& run, const Vec3d& centre) {
 }
 
 TEST_F(Spawns, AllCoincidentOnAnyThreads) {
-  line(3, "The same, made in code", "they part the same way in every run, and find their density");
+  line(3, "The same, made in code",
+       "they separate in the same way in every run and reach their density");
   const Scene scene = splashOf(std::vector<Block>(1000, pointAt({0, 0, 0.3})));
   std::set<std::uint64_t> hashes;
   for (const int threads : {1, 2}) {
@@ -69,7 +70,7 @@ TEST_F(Spawns, NearlyCoincidentPairInCode) {
 }
 
 TEST_F(Spawns, CentreOfASphereInCode) {
-  line(5, "The same, made in code", "out by a fixed normal, and not back");
+  line(5, "The same, made in code", "pushed out along a fixed normal, not pulled back");
   const auto deepest_d = [&](std::unique_ptr<Simulation> simulation, const Vec3d& centre) {
     WatchedRun run(figures_, std::move(simulation));
     run.frames(60);
@@ -85,7 +86,7 @@ TEST_F(Spawns, CentreOfASphereInCode) {
 }
 
 TEST_F(Spawns, TooFullInCode) {
-  line(6, "The same, made in code with an eighth of the million", "told, none out");
+  line(6, "The same, made in code with an eighth of the million", "reported, none outside");
   Scene full = splashOf(std::vector<Block>(8, blockOf({-0.25, -0.25, 0}, {0.25, 0.25, 0.5})));
   full.containers[0].size_m = Vec3d::Constant(0.5);
   {
@@ -129,7 +130,8 @@ TEST_F(Spawns, OverlappingSpawnInCode) {
 }
 
 TEST_F(Spawns, GapsInCode) {
-  line(17, "The same, made in code: a ball lowered onto the floor, two particles where one fits",
+  line(17,
+       "The same, made in code: a sphere lowered onto the floor, two particles in space for one",
        "contained");
   Scene scene = stabilityScene("splash");
   scene.spheres = {test::ball({-0.3, 0, 0.17}, 0.15)};
