@@ -49,7 +49,7 @@ class Step:
 
     def options(self):
         words = [word for word in self.words() if re.match(r"--?[a-zA-Z]", word)]
-        return [word.split("=")[0] for word in words]
+        return [word.split("=")[0] for word in words if word != "--help"]
 
 
 def without_comment(line):
