@@ -22,12 +22,14 @@ struct Override {
 /// Splits text such as "solver.iterations=4". @throws InvalidInput if "=" or the key is missing
 Override parseOverride(const std::string& text);
 
-/// Folder of the scenes that come with the package: $ICE_ICE_BABY_SCENES, else the one of the
-/// source tree, else the installed one.
+/// Folder in which scenes are looked up by name: $ICE_ICE_BABY_SCENES, else the one installed with
+/// the library, else the one of the source tree.
+/// @throws InvalidInput naming the folders and the variable when there is none
 std::string sceneFolder();
 
 /// Names of the scenes in sceneFolder(), sorted, followed by those in its folder `verification`,
 /// sorted too.
+/// @throws InvalidInput as sceneFolder(), and when the folder holds no scene
 std::vector<std::string> sceneNames();
 
 /// Loads a scene by name ("dam_break", in sceneFolder()) or by path (which ends in .yaml). Later

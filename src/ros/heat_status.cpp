@@ -6,7 +6,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Rounding alone does not make heat slower than wanted.
+/// Tolerance for rounding.
 constexpr double kAsWanted = 0.999;
 
 }  // namespace
@@ -17,8 +17,8 @@ void addHeat(diagnostic_updater::DiagnosticStatusWrapper& status, const Snapshot
   const bool watched = report.frame > 0 && !report.asleep;
   if (watched && report.thermal_speedup < kAsWanted * now.thermal_speedup_wanted) {
     status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN,
-                        "heat runs " + numberText(report.thermal_speedup) + " times as fast, not " +
-                            numberText(now.thermal_speedup_wanted) +
+                        "heat is sped up " + numberText(report.thermal_speedup) +
+                            " times instead of " + numberText(now.thermal_speedup_wanted) +
                             " times; lower thermal.speedup or raise solver.substeps");
   }
   status.add("temperature, mean [degrees C]", report.mean_celsius);

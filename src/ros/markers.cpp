@@ -11,7 +11,7 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/// An infinite plane is drawn as large as this.
+/// Size at which an infinite plane is drawn.
 constexpr double kDrawnPlane_m = 20.0;
 
 struct Colour {
@@ -60,7 +60,7 @@ class ColliderPainter {
     marker.scale = vectorMessage(high - low);
   }
 
-  void ball(double radius_m) {
+  void sphere(double radius_m) {
     Marker& marker = add(Marker::SPHERE, kSphere, collider_.opacity);
     marker.scale = vectorMessage(Vec3d::Constant(2 * radius_m));
   }
@@ -121,16 +121,17 @@ void paint(const Plane& plane, ColliderPainter& painter) {
   painter.box({-x, -y, -depth}, {x, y, 0.0}, kGround);
 }
 
-void paint(const Sphere& sphere, ColliderPainter& painter) { painter.ball(sphere.radius_m); }
+void paint(const Sphere& sphere, ColliderPainter& painter) { painter.sphere(sphere.radius_m); }
 
+/// @param pose of the first collider @returns that of the collider after the last
 template <class Shape>
-void paintAll(const std::vector<Shape>& colliders, const Simulation& simulation,
-              const std_msgs::Header& header, MarkerArray& array) {
+const Posed* paintAll(const std::vector<Shape>& colliders, const Posed* pose,
+                      const std_msgs::Header& header, MarkerArray& array) {
   for (const Shape& collider : colliders) {
-    if (collider.opacity == 0.0) continue;
-    ColliderPainter painter(header, collider, simulation.colliderPose(collider.name), array);
-    paint(collider, painter);
+    ColliderPainter painter(header, collider, *pose++, array);
+    if (collider.opacity > 0.0) paint(collider, painter);
   }
+  return pose;
 }
 
 geometry_msgs::Point endMessage(float x, float y, float z) {
@@ -163,13 +164,14 @@ MarkerArray springMarkers(const std::vector<SpringSample>& springs, const std_ms
   return array;
 }
 
-MarkerArray colliderMarkers(const Simulation& simulation, const std_msgs::Header& header) {
+MarkerArray colliderMarkers(const Scene& scene, const std::vector<Posed>& poses,
+                            const std_msgs::Header& header) {
   MarkerArray array;
   array.markers.push_back(deleteAll(header));
-  const Scene& scene = simulation.scene();
-  paintAll(scene.containers, simulation, header, array);
-  paintAll(scene.planes, simulation, header, array);
-  paintAll(scene.spheres, simulation, header, array);
+  const Posed* pose = poses.data();
+  pose = paintAll(scene.containers, pose, header, array);
+  pose = paintAll(scene.planes, pose, header, array);
+  paintAll(scene.spheres, pose, header, array);
   return array;
 }
 

@@ -210,8 +210,8 @@ void ControlPanel::showLine(const QString& text, bool good) {
   answer_->setStyleSheet(good ? "color: #2e7d4f" : "color: #b3362b");
 }
 
-/// Asks a node that has been silent, as it may be paused, new, or gone, and one that has not
-/// answered yet: its states may come before it can be asked for its scenes.
+/// Calls a node that has been silent, because it may be paused, new or gone, and one that has not
+/// answered yet, because states may arrive before its services can be called.
 void ControlPanel::checkNode() {
   const bool silent = !since_state_.isValid() || since_state_.elapsed() > SILENCE_MS;
   if (asked_ || (reached_ && !silent)) return;

@@ -1,7 +1,6 @@
 #include "series_writer.h"
 
-#include <charconv>
-
+#include "base/shortest_text.h"
 #include "ice_ice_baby/errors.h"
 #include "metrics/cloud_moments.h"
 #include "resident_memory.h"
@@ -27,12 +26,6 @@ void append(std::string& row, double value) { row += (row.empty() ? "" : ",") + 
 
 void append(std::string& row, const Vec3d& vector) {
   for (const double part : vector) append(row, part);
-}
-
-/// The shortest text that reads back as the same float: "0.1", where its double has 17 digits.
-std::string floatText(float value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
 }
 
 void requireGood(const std::ofstream& file, const std::string& what, const std::string& path) {
@@ -82,7 +75,7 @@ void writeParticles(const std::string& path, const Simulation& simulation) {
     std::string row = std::to_string(p.id);
     for (const float value : {p.x, p.y, p.z, p.vx, p.vy, p.vz, p.density, p.pressure_pa,
                               p.temperature_c, p.ice_fraction}) {
-      row += "," + floatText(value);
+      row += "," + shortestText(value);
     }
     file << row << "\n";
   }

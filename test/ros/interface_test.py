@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every topic's content and every service's good and bad path, on a paused scene."""
+"""The content of every topic, and every service with good and bad requests, on a paused scene."""
 import math
 import pathlib
 import struct
@@ -131,7 +131,7 @@ class Interface(unittest.TestCase):
         stages = [v.key for v in self.node.diagnostic('real time', lambda s: True).values]
         self.assertIn('lambda [ms per frame]', stages)
 
-    def test_nobody_subscribes_so_nothing_is_built(self):
+    def test_without_subscribers_nothing_is_built(self):
         wait_until(lambda: all(t.subscribers == 0 for t in self.node.state().topics),
                    'the end of other tests\' subscriptions')
         self.node.run_frames(1)
@@ -146,7 +146,7 @@ class Interface(unittest.TestCase):
         self.assertGreater(after['/sim/particles'], before['/sim/particles'])
         self.assertEqual(after['/sim/springs'], before['/sim/springs'])
 
-    def test_water_has_no_springs_to_build_messages_of(self):
+    def test_water_sends_no_spring_messages(self):
         with Latest('/sim/springs', MarkerArray) as arrays:
             first = arrays.wait()  # clears what an earlier run may have drawn
             self.assertEqual([m.action for m in first.markers], [Marker.DELETEALL])

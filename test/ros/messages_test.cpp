@@ -1,4 +1,4 @@
-// What goes out: layout of clouds, chunks of springs, shapes of colliders, fields of the state.
+// Messages: layout of clouds, chunks of springs, shapes of colliders, fields of the state.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <set>
 
 #include "heat_status.h"
+#include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/scene_loader.h"
 #include "markers.h"
 #include "particle_cloud.h"
@@ -153,7 +154,11 @@ TEST(ColliderMarkers, DrawEachVisibleCollider) {
                position_m: [0, 9, 5]}])"));
   std_msgs::Header header;
   header.frame_id = "scene";
-  const auto array = colliderMarkers(*simulation, header);
+  std::vector<Posed> poses;
+  forEachCollider(simulation->scene(), [&](const Collider& collider) {
+    poses.push_back(simulation->colliderPose(collider.name));
+  });
+  const auto array = colliderMarkers(simulation->scene(), poses, header);
   std::multiset<std::string> names;
   EXPECT_EQ(array.markers.at(0).action, Marker::DELETEALL);
   for (std::size_t k = 1; k < array.markers.size(); ++k) {
@@ -203,7 +208,7 @@ TEST(StateMessage, CarriesTheReport) {
   EXPECT_EQ(state.stages[0].bytes, 678u);
 }
 
-/// A pond that freezes, as the thread tells of it.
+/// Snapshot of a freezing pond.
 Snapshot freezingPond() {
   Snapshot snapshot;
   snapshot.heat = true;

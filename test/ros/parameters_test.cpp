@@ -33,7 +33,7 @@ bool mentions(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(Parameters, WithoutAnyTheStructsDefaultsHold) {
+TEST(Parameters, DefaultsHoldWithoutAny) {
   const NodeParameters read = readParameters(XmlRpcValue());
   const NodeParameters defaults;
   EXPECT_EQ(read.scene, defaults.scene);
@@ -104,7 +104,7 @@ TEST(Parameters, FramesMustBeUsableAndDiffer) {
   EXPECT_TRUE(mentions(refusal(with("scene_frame", "world")), "both world"));
 }
 
-TEST(Parameters, RubbishIsNamedInAFewWords) {
+TEST(Parameters, HugeBadValuesAreShortenedInMessages) {
   XmlRpcValue list, deep;
   for (int k = 0; k < 20000; ++k) list[k] = 0.5;
   for (int k = 0; k < 900; ++k) {
@@ -124,7 +124,7 @@ TEST(Parameters, RubbishIsNamedInAFewWords) {
   }
 }
 
-TEST(Parameters, OverridesThatAreNoSceneOfAPersonAreRefused) {
+TEST(Parameters, HugeOverridesAreRefused) {
   XmlRpcValue tree;
   for (int k = 0; k < 60000; ++k) tree["overrides"]["spheres"][k]["radius_m"] = 0.125;
   const std::string message = refusal(tree);

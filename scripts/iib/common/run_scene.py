@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import tempfile
@@ -56,7 +57,7 @@ def finish(command, timeout_s=None):
     if done.returncode < 0:
         return "crashed", f"ended by {signal.Signals(-done.returncode).name}"
     lines = done.stderr.strip().splitlines()
-    message = lines[-1].removeprefix("run_scene: ") if lines and done.returncode != 0 else ""
+    message = re.sub("^run_scene: ", "", lines[-1]) if lines and done.returncode != 0 else ""
     return STATUS.get(done.returncode, "crashed"), message
 
 

@@ -1,9 +1,10 @@
 #include "ice_ice_baby/errors.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
+
+#include "base/shortest_text.h"
 
 namespace ice_ice_baby {
 
@@ -15,9 +16,7 @@ bool isControl(unsigned char byte) { return byte < 0x20 || byte == 0x7f; }
 
 std::string numberText(double value) {
   if (std::isnan(value)) return "nan";  // without a sign
-  char text[32];
-  const auto result = std::to_chars(text, text + sizeof text, value + 0.0);  // no "-0"
-  return std::string(text, result.ptr);
+  return shortestText(value + 0.0);     // no "-0"
 }
 
 std::string shortened(const std::string& text) {

@@ -25,8 +25,8 @@ class RangeCheck {
   template <class Number>
   void operator()(const char* name, Number& value, Range range, const char*) const {
     if constexpr (std::is_base_of_v<Eigen::MatrixBase<Number>, Number>) {
-      for (const double part : value.reshaped()) {
-        requireInRange(path_ + name, part, range.min, range.max);
+      for (Eigen::Index k = 0; k < value.size(); ++k) {
+        requireInRange(path_ + name, value(k), range.min, range.max);
       }
     } else {
       requireInRange(path_ + name, value, range.min, range.max);

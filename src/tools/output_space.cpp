@@ -1,4 +1,4 @@
-#include "output_room.h"
+#include "output_space.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace ice_ice_baby {
 
 namespace fs = std::filesystem;
 
-void requireRoom(const RunOutputs& outputs, const Scene& scene, double duration_s) {
+void requireDiskSpace(const RunOutputs& outputs, const Scene& scene, double duration_s) {
   const double rate_hz = scene.solver.frame_rate_hz;
   const double pictures = std::ceil(duration_s * std::min(outputs.frames_hz, rate_hz));
   if (!outputs.frames.empty() && pictures > kMaxPictures) {
@@ -23,7 +23,7 @@ void requireRoom(const RunOutputs& outputs, const Scene& scene, double duration_
   const double bytes = samples * double(particleCount(scene)) * 3 * sizeof(float);
   std::error_code error;
   const fs::space_info space = fs::space(fs::absolute(outputs.record).parent_path(), error);
-  if (error || bytes <= double(space.available)) return;  // the recorder names a bad folder
+  if (error || bytes <= double(space.available)) return;  // the recorder reports a bad folder
   throw InvalidInput("--record would write " + numberText(std::ceil(bytes / 1e6)) + " MB to " +
                      outputs.record + ", which has " +
                      numberText(std::floor(double(space.available) / 1e6)) +
