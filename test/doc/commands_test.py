@@ -72,7 +72,7 @@ class Commands(unittest.TestCase):
                 try:
                     reader.take(step)
                 except Failed as failed:
-                    self.fail(f"{step.place()}: {failed}")
+                    raise self.failureException(f"{step.place()}: {failed}") from None
             took_s, title = time.monotonic() - begin, step.text.splitlines()[0][:90]
             print(f"{took_s:5.1f} s  {step.place()}  {title}", flush=True)
         with self.subTest("the last launch ends"):

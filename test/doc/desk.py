@@ -14,7 +14,9 @@ from documents import ROOT
 from not_run import WITH_RVIZ
 
 COMMAND_S, ANSWER_S, END_S = 120, 90, 30
-PROGRAM_S = 3  # how long a program of a document has to run without an end
+PROGRAM_S = 1  # how long a program of a document goes on once it is a node
+NODE_NAME = re.compile(r"init_node\('(\w+)'|argv, \"(\w+)\"")
+LOGS = re.compile("loginfo|ROS_INFO")
 FAULT = re.compile(r"Traceback|\[ERROR\]|\[FATAL\]|\bERROR\b|\berror:|[sS]uccess: False|unable to")
 PRELUDE = re.compile(r"(source|export|cd) ")
 
@@ -160,8 +162,9 @@ class Desk:
                 if node:
                     raise Failed("ended by itself:\n" + output[-2000:])
                 return
-            if "is served under" in output if fenced else node and self.answers():
-                time.sleep(2.0 if "record:=true" in words else 0.0)  # so that the bag has messages
+            # A node behind a fence answers nobody outside.
+            if "process[ice_ice_baby" in output if fenced else node and self.answers():
+                time.sleep(2.0 if fenced or "record:=true" in words else 0.0)
                 return
             time.sleep(0.2)
         self.end_launch()
@@ -190,20 +193,31 @@ class Desk:
 
     def run_python(self, text):
         self.write("program.py", text)
-        self.run_program("python3 program.py")
+        self.run_program("python3 program.py", text)
 
     def run_cpp(self, text):
         self.write("program.cpp", text)
         flags = "$(pkg-config --cflags --libs roscpp sensor_msgs)"
         self.run(f"g++ -std=c++17 -o program program.cpp {flags}")
-        self.run_program("./program")
+        self.run_program("./program", text)
 
-    def run_program(self, command):
-        """It has to go on until Ctrl-C."""
+    def is_node(self, name):
+        ping = ["rosnode", "ping", "-c", "1", "/" + name]
+        return subprocess.run(ping, env=self._env, capture_output=True, check=False).returncode == 0
+
+    def run_program(self, command, text):
+        """It has to become a node, to print what it logs, and to go on until Ctrl-C."""
+        node = next(filter(None, NODE_NAME.search(text).groups()))
         child = self.start(command)
+        deadline = time.monotonic() + ANSWER_S
+        while not (self.is_node(node) and (child.output() or not LOGS.search(text))):
+            if child.code() is not None or time.monotonic() > deadline:
+                break
         if child.wait(PROGRAM_S):
             raise Failed("ended by itself:\n" + child.output()[-2000:])
-        ended = child.interrupt()
+        logged, ended = child.output(), child.interrupt()
         if not ended:
             raise Failed("did not end after Ctrl-C")
         require_sound(child.output(), child.code())
+        if LOGS.search(text) and not logged:
+            raise Failed(f"logged nothing within {ANSWER_S} s")

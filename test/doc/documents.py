@@ -42,14 +42,15 @@ class Step:
 
     def is_template(self):
         """Whether the reader has to replace a word."""
-        return any(PLACEHOLDER.fullmatch(word.rsplit("=", 1)[-1]) for word in self.words())
+        values = [word.rsplit("=", 1)[-1] for word in self.words()]
+        return any(PLACEHOLDER.fullmatch(v) and v not in ("ON", "OFF") for v in values)
 
     def program(self):
         return next(word for word in self.words() if not re.match(r"\w+=", word))
 
     def options(self):
         words = [word for word in self.words() if re.match(r"--?[a-zA-Z]", word)]
-        return [word.split("=")[0] for word in words]
+        return [word.split("=")[0] for word in words if word != "--help"]
 
 
 def without_comment(line):

@@ -27,7 +27,8 @@ def own_program(name):
 
 @functools.lru_cache(maxsize=None)
 def help_of(program):
-    command = [program, "--help"]
+    in_build = f'source "{BUILD}/devel/setup.bash" && exec "$0" --help'
+    command = ["bash", "-c", in_build, program]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
     return done.stdout + done.stderr if done.returncode == 0 else None
 

@@ -16,6 +16,7 @@ NOT_RUN = {
     "*scripts/load/flood --scene small": "takes minutes",
     "cmake -*": "builds",
     "ctest -*": "runs other tests",
+    "catkin_make *": "needs a catkin workspace",
     "run_scene --defaults > config/default.yaml": "changes the source tree",
     "run_scene dam_break --set fluid.spacing_m=0.015 *": "takes half a minute",
     "run_scene iceberg --threads 2 --duration 6 --profile": "takes half a minute",
