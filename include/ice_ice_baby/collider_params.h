@@ -32,20 +32,22 @@ struct Collider {
 
 template <class Visitor>
 void describeCollider(Collider& c, Visitor&& visit) {
-  visit("name", c.name, "how services and tf call it");
-  visit("position_m", c.position_m, kCoordinateRange_m,
-        "of the centre: of a container its inner floor, of a plane its surface");
+  visit("name", c.name, "name used by services and tf");
+  visit(
+      "position_m", c.position_m, kCoordinateRange_m,
+      "position of the centre; container: centre of its inner floor; plane: centre of its surface");
   visit("rpy_deg", c.rpy_deg, Range{-360.0, 360.0},
         "roll, pitch, yaw about the fixed axes x, y, z");
-  visit("friction", c.friction, Range{0.0, 10.0}, "Coulomb coefficient; 0: slippery");
-  visit("opacity", c.opacity, Range{0.0, 1.0}, "in pictures; 0: invisible");
-  visit("follow_frame", c.follow_frame, "tf frame that the collider moves with; \"\": it stays");
-  visit(
-      "heat", c.heat,
-      "what its surface does to the water, with thermal.enabled: nothing, it has a temperature, or "
-      "it passes a flux");
-  visit("celsius", c.celsius, kTemperatureRange_c, "temperature of the surface, for temperature");
-  visit("flux_w_m2", c.flux_w_m2, Range{-1e7, 1e7}, "into the water, for flux; below 0 it cools");
+  visit("friction", c.friction, Range{0.0, 10.0}, "Coulomb friction coefficient; 0: frictionless");
+  visit("opacity", c.opacity, Range{0.0, 1.0}, "opacity in pictures and markers; 0: invisible");
+  visit("follow_frame", c.follow_frame, "tf frame that the collider follows; \"\": none");
+  visit("heat", c.heat,
+        "thermal boundary condition of its surface, with thermal.enabled: none, fixed temperature "
+        "or fixed flux");
+  visit("celsius", c.celsius, kTemperatureRange_c,
+        "temperature of the surface, if heat is temperature");
+  visit("flux_w_m2", c.flux_w_m2, Range{-1e7, 1e7},
+        "flux into the water, if heat is flux; below 0: cooling");
 }
 
 /// Box that holds water: `position_m` is the centre of its inner floor, `size_m` its inner size.
@@ -60,7 +62,7 @@ void describe(Container& c, Visitor&& visit) {
   describeCollider(c, visit);
   visit("size_m", c.size_m, Range{1e-3, 2 * kMaxCoordinate_m}, "inner size");
   visit("wall_m", c.wall_m, Range{1e-4, 10.0}, "thickness of walls and floor");
-  visit("open_top", c.open_top, "whether water can leave by the top");
+  visit("open_top", c.open_top, "whether the top is open");
 }
 
 /// Ground: everything below the local z = 0. With a size, a plate of that size and thickness.
@@ -77,7 +79,7 @@ void describe(Plane& p, Visitor&& visit) {
   describeCollider(p, visit);
   visit("size_x_m", p.size_x_m, Range{0.0, 2 * kMaxCoordinate_m}, "0: infinite");
   visit("size_y_m", p.size_y_m, Range{0.0, 2 * kMaxCoordinate_m}, "0: infinite");
-  visit("thickness_m", p.thickness_m, Range{1e-4, 10.0}, "of a plate that is not infinite");
+  visit("thickness_m", p.thickness_m, Range{1e-4, 10.0}, "thickness of a finite plate");
 }
 
 struct Sphere : Collider {
@@ -110,7 +112,7 @@ template <class Lists, class Visit>
 void forEachColliderList(Lists& lists, const Visit& visit) {
   visit(lists.containers, ColliderKind{"containers", "container", "boxes that hold water"});
   visit(lists.planes, ColliderKind{"planes", "plane", "grounds and plates"});
-  visit(lists.spheres, ColliderKind{"spheres", "sphere", "balls"});
+  visit(lists.spheres, ColliderKind{"spheres", "sphere", "spheres"});
 }
 
 }  // namespace ice_ice_baby

@@ -103,19 +103,24 @@ MarkerArray springMarkers(const std::vector<SpringSample>& springs, const std_ms
   return array;
 }
 
-MarkerArray colliderMarkers(const Simulation& simulation, const std_msgs::Header& header) {
+MarkerArray colliderMarkers(const Scene& scene, const std::vector<Posed>& poses,
+                            const std_msgs::Header& header) {
   MarkerArray array;
   array.markers.push_back(deleteAll(header));
-  const auto add = [&](const Collider& collider, int id, int type, Colour colour, double alpha) {
-    array.markers.push_back(makeMarker(header, collider.name, id, type, colour, alpha));
-    array.markers.back().pose = poseMessage(simulation.colliderPose(collider.name));
-    return &array.markers.back();
-  };
-  forEachColliderMesh(simulation.scene(), {}, [&](const Collider& c, const ColliderMesh& mesh) {
-    if (c.opacity == 0.0) return;
-    fillSurface(mesh, *add(c, 0, Marker::TRIANGLE_LIST, colourOf(mesh.look), c.opacity));
-    if (mesh.edges.empty()) return;
-    fillEdges(mesh, *add(c, 1, Marker::LINE_LIST, kEdge, std::min(1.0, 2 * c.opacity)));
+  auto pose = poses.begin();
+  forEachColliderMesh(scene, {}, [&](const Collider& c, const ColliderMesh& mesh) {
+    const auto add = [&](int id, int type, Colour colour, double alpha) {
+      array.markers.push_back(makeMarker(header, c.name, id, type, colour, alpha));
+      array.markers.back().pose = poseMessage(*pose);
+      return &array.markers.back();
+    };
+    if (c.opacity > 0.0) {
+      fillSurface(mesh, *add(0, Marker::TRIANGLE_LIST, colourOf(mesh.look), c.opacity));
+      if (!mesh.edges.empty()) {
+        fillEdges(mesh, *add(1, Marker::LINE_LIST, kEdge, std::min(1.0, 2 * c.opacity)));
+      }
+    }
+    ++pose;
   });
   return array;
 }

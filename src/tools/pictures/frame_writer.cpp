@@ -44,7 +44,7 @@ FrameWriter::FrameWriter(std::string folder, const Scene& scene)
   }
 }
 
-/// At a corner of everything that the scene holds, near enough to fill the picture.
+/// Places the camera at a corner of the scene's bounds, near enough to fill the picture.
 void FrameWriter::lookFromAbove(const Scene& scene) {
   const Eigen::AlignedBox3f bounds = boundsOf(scene);
   const Eigen::Vector3f into = Eigen::Vector3f(0.45f, 1.0f, -0.42f).normalized();

@@ -32,7 +32,7 @@ Container tilted(bool open_top) {
   return box;
 }
 
-/// How far a point in the frame of a container is within its material; 0 outside and inside.
+/// Depth of a point, in the frame of the container, in its walls; 0 if it is not in a wall.
 double depthInWalls(const Container& box, const Vec3d& local) {
   const Vec3d half(box.size_m.x() / 2, box.size_m.y() / 2, 0);
   const Vec3d inner_low = -half + Vec3d::Constant(kRadius_m);
@@ -87,7 +87,7 @@ TYPED_TEST(CollidersTest, NothingEntersAClosedContainer) {
   }
 }
 
-TYPED_TEST(CollidersTest, AnOpenContainerIsLeftAndEnteredByItsMouthOnly) {
+TYPED_TEST(CollidersTest, AnOpenContainerIsLeftAndEnteredThroughItsTopOnly) {
   const Container box = tilted(true);
   Scene scene;
   scene.containers.push_back(box);
@@ -237,7 +237,7 @@ TYPED_TEST(CollidersTest, RespondingTwiceChangesNothing) {
     const auto to = this->cast(random.inBox({-2, -2, -1}, {2, 2, 3}));
     const auto once = colliders.respond(from, to, false);
     const auto twice = colliders.respond(once, once, false);
-    // A wedge between two bodies is left to a ten thousandth of a radius, pass by pass.
+    // In a wedge between two colliders passes end at a ten thousandth of a radius.
     ASSERT_LT(double((twice - once).norm()), 1e-3 * kRadius_m + this->kHair);
     ASSERT_GE(double(once.z()), kRadius_m - 1e-3 * kRadius_m) << "below the ground";
   }
