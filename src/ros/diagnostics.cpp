@@ -71,14 +71,10 @@ void Diagnostics::solver(Status& status) {
     status.summary(Level::ERROR, "paused because a frame failed: " + now.failure);
   }
   status.add("scene", now.scene);
-  status.add("particles", report.particles);
-  status.add("springs", report.springs);
-  status.add("temperature [degrees C]", report.temperature_c);
-  status.add("density error, mean", report.density_error_mean);
-  status.add("density error, maximum", report.density_error_max);
+  describe(report,
+           [&](const char* name, const auto& value, const char*) { status.add(name, value); });
   status.add("speed limited since the last message", limited);
   status.add("corrections cut since the last message", cut);
-  status.add("not finite, repaired", report.non_finite);
 }
 
 void Diagnostics::speed(Status& status) {

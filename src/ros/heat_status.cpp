@@ -21,13 +21,7 @@ void addHeat(diagnostic_updater::DiagnosticStatusWrapper& status, const Snapshot
                             " times instead of " + numberText(now.thermal_speedup_wanted) +
                             " times; lower thermal.speedup or raise solver.substeps");
   }
-  status.add("temperature, mean [degrees C]", report.mean_celsius);
-  status.add("ice, share by mass", report.strictness);
-  status.add("ice bodies", report.ice_bodies);
-  status.add("ice bodies asleep", report.ice_bodies_asleep);
-  status.add("steam particles", report.steam_particles);
-  status.add("heat speed-up", report.thermal_speedup);
-  status.add("heat speed-up wanted", now.thermal_speedup_wanted);
+  status.add("thermal_speedup_wanted", now.thermal_speedup_wanted);
 }
 
 }  // namespace ice_ice_baby

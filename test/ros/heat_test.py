@@ -96,10 +96,10 @@ class Heat(unittest.TestCase):
     def test_diagnostics_of_heat(self):
         def keys():
             return {v.key for v in self.node.diagnostic('solver', lambda s: True).values}
-        self.assertNotIn('ice bodies', keys())
+        self.assertNotIn('thermal_speedup_wanted', keys())
         self.node.start('warm')
-        self.assertIn('ice bodies', keys())
-        self.assertIn('temperature, mean [degrees C]', keys())
+        self.assertIn('thermal_speedup_wanted', keys())
+        self.assertIn('mean_celsius', keys())
 
 
 if __name__ == '__main__':

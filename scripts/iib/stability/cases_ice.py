@@ -35,7 +35,7 @@ def instant_freeze(run):
         checks += [
             at_most(f"{kind}: momentum lost", momentum_lost(end), 1e-5),
             at_most(f"{kind}: maximum speed after / before", faster, 1.05),
-            reported(f"{kind}: maximum ice", 100 * end.report["most_ice"], "%"),
+            reported(f"{kind}: maximum ice", 100 * end.report["max_ice"], "%"),
         ]
     return checks
 
@@ -180,7 +180,7 @@ def all_boils_at_once(run):
         "steam.rise_speed_m_s=100",
         "steam.drag_1_s=1e4",
     )
-    return [at_least("fraction of steam", end.report["most_steam"] / end.report["particles"], 0.5)]
+    return [at_least("fraction of steam", end.report["max_steam"] / end.report["particles"], 0.5)]
 
 
 @case(rise=5e-3, because="crushed in a step")

@@ -26,7 +26,7 @@ def floating(run, scene, half_m, ratio=RATIO, sets=()):
     """
     end = run(scene, sets=[*sets, f"ice.density_ratio={ratio!r}"])
     p, d = end.particles, end.spacing_m
-    ice = p["ice_fraction"] > 0.5
+    ice = p["phase"] == 1
     cube = ice_spacing_m(end, ratio)
     middle = np.array([p["x"][ice].mean(), p["y"][ice].mean()])
     beside = np.maximum(np.abs(p["x"] - middle[0]), np.abs(p["y"] - middle[1])) > half_m + 3 * d

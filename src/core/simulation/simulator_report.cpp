@@ -83,6 +83,7 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
   const double pascal = -scene_.fluid.rest_density_kg_m3 * substeps_1_s * substeps_1_s;
   const auto& x = particles_.position;
   const auto& v = particles_.velocity;
+  const Phase of_scene = frozen() ? Phase::kIce : Phase::kWater;
   for (std::size_t k = 0; k < out.size(); ++k) {
     const Index i = places[k * stride];
     out[k] = {float(x.x[i]),
@@ -95,7 +96,8 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
               float(heat_ ? heat_->iceFraction(i) : strictness_),
               float(density_->density()[i]),
               float(pascal * double(density_->multiplier()[i])),
-              std::uint32_t(k * stride)};
+              std::uint32_t(k * stride),
+              phases_ ? phases_->of(i) : of_scene};
   }
 }
 

@@ -142,13 +142,11 @@ Drawn drawScene(std::uint64_t seed) {
 }
 
 bool finite(const StepReport& r) {
-  for (const double value :
-       {r.time_s, r.temperature_c, r.strictness, r.density_error_mean, r.density_error_max,
-        r.kinetic_energy_j, r.potential_energy_j, r.max_speed_m_s, r.rms_speed_m_s, r.mean_celsius,
-        r.enthalpy_j, r.thermal_speedup}) {
-    if (!std::isfinite(value)) return false;
-  }
-  return true;
+  bool finite = true;
+  describe(r, [&](const char*, const auto& value, const char*) {
+    finite = finite && std::isfinite(double(value));
+  });
+  return finite;
 }
 
 void expectConsistent(const Simulation& simulation, std::uint64_t frame) {

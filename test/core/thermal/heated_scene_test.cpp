@@ -29,16 +29,95 @@ TEST(SteamTest, WaterBoilsRisesCondensesOnTheLidAndFallsBack) {
     if (steam < before) condensed += before - steam;
     before = steam;
     simulator.sample(samples, 1);
+    std::size_t sampled = 0;
     for (const ParticleSample& p : samples) {
-      if (p.density != kSteamDensity) continue;
+      if (p.phase != Phase::kSteam) continue;
+      ++sampled;
+      EXPECT_EQ(p.density, 6e-4f);
       highest = std::max(highest, p.z);
     }
+    ASSERT_EQ(sampled, steam);
   }
   EXPECT_GT(max_steam, 5u);
   EXPECT_GT(condensed, 5u);
   EXPECT_GT(highest, 0.35f) << "steam reaches the lid";
   EXPECT_EQ(simulator.countEscaped(), 0u);
   EXPECT_EQ(simulator.report().non_finite, 0u);
+}
+
+/// A drop of water at 0 degrees C that nothing but `passHeat` heats.
+Scene drop() {
+  Scene scene;
+  scene.fluid.spacing_m = 0.02;
+  scene.thermal.enabled = true;
+  scene.thermal.speedup = 1000.0;
+  scene.thermal.air_heat_transfer_w_m2k = 0.0;
+  scene.gravity_m_s2 = Vec3d::Zero();
+  Block block;
+  block.max_m = Vec3d::Constant(0.08);
+  block.celsius = 0.0;
+  scene.blocks = {block};
+  return scene;
+}
+
+/// Gives all water the heat, within half a second, and lets it swell for another half.
+void passHeat(Simulation& simulation, double heat_j_kg) {
+  const FluidParams& fluid = simulation.scene().fluid;
+  const double mass_kg = fluid.rest_density_kg_m3 * std::pow(fluid.spacing_m, 3) *
+                         double(simulation.report().particles);
+  HeatedRegion region;
+  region.shape = BlockShape::kBox;
+  region.size_m = Vec3d::Constant(10.0);
+  region.duration_s = 0.5;
+  region.power_w = heat_j_kg * mass_kg / (region.duration_s * simulation.scene().thermal.speedup);
+  simulation.heatRegion(region);
+  run(simulation, 66);
+}
+
+void expectAll(const Simulation& simulation, Phase phase, float ice_fraction) {
+  std::vector<ParticleSample> samples;
+  simulation.sample(samples);
+  ASSERT_FALSE(samples.empty());
+  for (const ParticleSample& p : samples) {
+    ASSERT_EQ(p.phase, phase) << p.id;
+    ASSERT_NEAR(p.ice_fraction, ice_fraction, 1e-3) << p.id;
+  }
+  const std::size_t ice = phase == Phase::kIce ? samples.size() : 0;
+  EXPECT_EQ(simulation.report().ice_particles, ice);
+}
+
+TEST(PhaseTest, SamplesTellSlushThatFlowsFromIceThatMelts) {
+  const auto simulation = makeSimulation(drop(), Precision::kFloat, 1);
+  const double latent_j_kg = simulation->scene().thermal.latent_heat_fusion_j_kg;
+  expectAll(*simulation, Phase::kWater, 0.0f);
+  passHeat(*simulation, -0.6 * latent_j_kg);
+  expectAll(*simulation, Phase::kWater, 0.6f);
+  passHeat(*simulation, -0.5 * latent_j_kg);
+  expectAll(*simulation, Phase::kIce, 1.0f);
+  passHeat(*simulation, 0.5 * latent_j_kg);
+  expectAll(*simulation, Phase::kIce, 0.6f);
+  passHeat(*simulation, 0.7 * latent_j_kg);
+  expectAll(*simulation, Phase::kWater, 0.0f);
+}
+
+TEST(PhaseTest, WithoutHeatAllIsIceWhileTheSceneIsFrozen) {
+  Scene scene = drop();
+  scene.thermal.enabled = false;
+  const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
+  const TemperatureParams& limits = scene.temperature;
+  const std::pair<double, Phase> states[] = {
+      {limits.onset_c, Phase::kWater},
+      {0.5 * (limits.onset_c + limits.freezing_c), Phase::kWater},
+      {limits.freezing_c, Phase::kIce},
+      {limits.onset_c, Phase::kWater}};
+  for (const auto& [celsius, phase] : states) {
+    simulation->setTemperature(celsius, 0.0);
+    run(*simulation, 2);
+    std::vector<ParticleSample> samples;
+    simulation->sample(samples);
+    EXPECT_EQ(samples.at(0).phase, phase) << celsius;
+    EXPECT_FLOAT_EQ(samples.at(0).ice_fraction, float(simulation->report().strictness));
+  }
 }
 
 TEST(SteamTest, RisesAtItsSpeedAgainstGravity) {
