@@ -36,48 +36,6 @@ void describe(Block& b, Visitor&& visit) {
 }
 
 template <class Visitor>
-void describeCollider(Collider& c, Visitor&& visit) {
-  visit("name", c.name, "name used by services and tf");
-  visit(
-      "position_m", c.position_m, kCoordinateRange_m,
-      "position of the centre; container: centre of its inner floor; plane: centre of its surface");
-  visit("rpy_deg", c.rpy_deg, Range{-360.0, 360.0},
-        "roll, pitch, yaw about the fixed axes x, y, z");
-  visit("friction", c.friction, Range{0.0, 10.0}, "Coulomb friction coefficient; 0: frictionless");
-  visit("opacity", c.opacity, Range{0.0, 1.0}, "opacity in pictures and markers; 0: invisible");
-  visit("follow_frame", c.follow_frame, "tf frame that the collider follows; \"\": none");
-  visit("heat", c.heat,
-        "thermal boundary condition of its surface, with thermal.enabled: none, fixed temperature "
-        "or fixed flux");
-  visit("celsius", c.celsius, kTemperatureRange_c,
-        "temperature of the surface, if heat is temperature");
-  visit("flux_w_m2", c.flux_w_m2, Range{-1e7, 1e7},
-        "flux into the water, if heat is flux; below 0: cooling");
-}
-
-template <class Visitor>
-void describe(Container& c, Visitor&& visit) {
-  describeCollider(c, visit);
-  visit("size_m", c.size_m, Range{1e-3, 2 * kMaxCoordinate_m}, "inner size");
-  visit("wall_m", c.wall_m, Range{1e-4, 10.0}, "thickness of walls and floor");
-  visit("open_top", c.open_top, "whether the top is open");
-}
-
-template <class Visitor>
-void describe(Plane& p, Visitor&& visit) {
-  describeCollider(p, visit);
-  visit("size_x_m", p.size_x_m, Range{0.0, 2 * kMaxCoordinate_m}, "0: infinite");
-  visit("size_y_m", p.size_y_m, Range{0.0, 2 * kMaxCoordinate_m}, "0: infinite");
-  visit("thickness_m", p.thickness_m, Range{1e-4, 10.0}, "thickness of a finite plate");
-}
-
-template <class Visitor>
-void describe(Sphere& s, Visitor&& visit) {
-  describeCollider(s, visit);
-  visit("radius_m", s.radius_m, Range{1e-3, kMaxCoordinate_m}, "radius");
-}
-
-template <class Visitor>
 void describe(Scene& s, Visitor&& visit) {
   visit("name", s.name, "name of the scene");
   visit("description", s.description, "one-sentence description");
@@ -97,9 +55,8 @@ void describe(Scene& s, Visitor&& visit) {
   visit.section("limits", s.limits, "limits");
   visit.list("schedule", s.schedule, "temperature over time");
   visit.list("blocks", s.blocks, "the water");
-  visit.list("containers", s.containers, "boxes that hold water");
-  visit.list("planes", s.planes, "grounds and plates");
-  visit.list("spheres", s.spheres, "spheres");
+  forEachColliderList(
+      s, [&](auto& list, const ColliderKind& kind) { visit.list(kind.key, list, kind.meaning); });
 }
 
 }  // namespace ice_ice_baby

@@ -18,8 +18,8 @@ visualization_msgs::MarkerArray springMarkers(const std::vector<SpringSample>& s
                                               const std_msgs::Header& header, double width_m,
                                               bool clear);
 
-/// Markers of all colliders, as translucent as their opacity says: containers as walls and edges,
-/// planes as plates, spheres. Colliders of opacity 0 are left out. The first marker deletes what an
+/// Markers of all colliders, as translucent as their opacity says: their surfaces, and the edges of
+/// containers. Colliders of opacity 0 are left out. The first marker deletes what an
 /// earlier message drew.
 /// @param poses of the colliders of `scene`, in the order of forEachCollider
 visualization_msgs::MarkerArray colliderMarkers(const Scene& scene, const std::vector<Posed>& poses,

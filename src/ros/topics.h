@@ -45,7 +45,10 @@ class Topics {
   struct News {
     bool any = false;
     bool last = false;  ///< no frame followed by itself
-    void add(bool settled) { any = true, last = last || settled; }
+    void add(bool settled) {
+      any = true;
+      last = last || settled;
+    }
   };
 
   void addNews(const Snapshot& snapshot, bool colliders_moved, bool settled);

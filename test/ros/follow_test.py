@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A collider follows a tf frame; if the frame is missing, it does not move and a warning says so."""
+"""A collider follows a tf frame; if that is missing, it does not move and a warning says so."""
 import math
 import pathlib
 import sys
@@ -42,7 +42,7 @@ class Follow(unittest.TestCase):
         self.assertGreater(self.node.state().frame, 0)  # it runs anyway
 
     def carry_hand(self, tf, x):
-        """Publishes the hand at x until the ball has followed: 0.2 m above it; the scene is at x = 0.1 m."""
+        """Publishes the hand at x until the ball is 0.2 m above it; the scene is at x = 0.1 m."""
         def ball_there():
             self.put_hand(x)
             return [t for m in tf.messages[-20:] for t in m.transforms

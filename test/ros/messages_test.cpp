@@ -157,6 +157,19 @@ TEST(SpringMarkers, ClearDeletesWhatWasDrawn) {
   EXPECT_EQ(array.markers[0].action, Marker::DELETEALL);
 }
 
+Eigen::AlignedBox3d boundsOf(const Marker& marker) {
+  Eigen::AlignedBox3d bounds;
+  for (const auto& p : marker.points) bounds.extend(Vec3d(p.x, p.y, p.z));
+  return bounds;
+}
+
+void expectBounds(const Marker& marker, int type, const Vec3d& low, const Vec3d& high) {
+  EXPECT_EQ(marker.type, type) << marker.ns;
+  EXPECT_EQ(marker.points.size() % (type == Marker::LINE_LIST ? 2 : 3), 0u) << marker.ns;
+  EXPECT_LT((boundsOf(marker).min() - low).norm(), 1e-12) << marker.ns;
+  EXPECT_LT((boundsOf(marker).max() - high).norm(), 1e-12) << marker.ns;
+}
+
 TEST(ColliderMarkers, DrawEachVisibleCollider) {
   const auto simulation = makeSimulation(parseScene(R"(
     containers: [{name: closed, open_top: false}, {name: open, position_m: [3, 0, 0]}]
@@ -170,24 +183,39 @@ TEST(ColliderMarkers, DrawEachVisibleCollider) {
     poses.push_back(simulation->colliderPose(collider.name));
   });
   const auto array = colliderMarkers(simulation->scene(), poses, header);
-  std::multiset<std::string> names;
+  std::map<std::string, std::vector<Marker>> drawn;
   EXPECT_EQ(array.markers.at(0).action, Marker::DELETEALL);
   for (std::size_t k = 1; k < array.markers.size(); ++k) {
     const Marker& marker = array.markers[k];
-    names.insert(marker.ns);
+    EXPECT_EQ(marker.id, int(drawn[marker.ns].size()));
+    drawn[marker.ns].push_back(marker);
     EXPECT_EQ(marker.header.frame_id, "scene");
     EXPECT_NEAR(marker.pose.orientation.w, 1.0, 1e-12);
     EXPECT_GT(marker.scale.x, 0.0);
-    if (marker.ns != "ball") continue;
-    EXPECT_EQ(marker.type, Marker::SPHERE);
-    EXPECT_NEAR(marker.scale.z, 0.5, 1e-12);
-    EXPECT_NEAR(marker.pose.position.z, 5.0, 1e-12);
-    EXPECT_NEAR(marker.color.a, 0.2, 1e-6);
   }
-  EXPECT_EQ(names.count("closed"), 7u);  // floor, walls, lid, edges
-  EXPECT_EQ(names.count("open"), 6u);
-  EXPECT_EQ(names.count("ground"), 1u);
-  EXPECT_EQ(names.count("ghost"), 0u);
+  EXPECT_EQ(drawn.size(), 4u);
+  const double half = 0.5, wall = 0.02, out = half + wall;
+  for (const char* name : {"closed", "open"}) {
+    ASSERT_EQ(drawn[name].size(), 2u) << name;  // surface and edges
+    const double top = drawn[name][0].ns == "open" ? 1.0 : 1.0 + wall;
+    expectBounds(drawn[name][0], Marker::TRIANGLE_LIST, {-out, -out, -wall}, {out, out, top});
+    expectBounds(drawn[name][1], Marker::LINE_LIST, {-half, -half, 0}, {half, half, 1});
+    EXPECT_EQ(drawn[name][1].points.size(), 24u);
+    EXPECT_EQ(drawn[name][0].scale.x, 1.0);  // of what the points are measured in
+    EXPECT_NEAR(drawn[name][0].color.a, 0.2, 1e-6);
+    EXPECT_NEAR(drawn[name][1].color.a, 0.4, 1e-6);
+  }
+  EXPECT_EQ(drawn["open"][0].pose.position.x, 3.0);
+  EXPECT_EQ(drawn["closed"][0].points.size(), 72u);  // outside and inside of six sides
+  EXPECT_EQ(drawn["open"][0].points.size(), 84u);    // of five, and the rim
+  ASSERT_EQ(drawn["ground"].size(), 1u);
+  expectBounds(drawn["ground"][0], Marker::TRIANGLE_LIST, {-10, -10, -0.01}, {10, 10, 0});
+  ASSERT_EQ(drawn["ball"].size(), 1u);
+  EXPECT_EQ(drawn["ball"][0].type, Marker::SPHERE);
+  EXPECT_NEAR(drawn["ball"][0].scale.x, 0.5, 1e-12);
+  EXPECT_NEAR(drawn["ball"][0].scale.z, 0.5, 1e-12);
+  EXPECT_NEAR(drawn["ball"][0].pose.position.z, 5.0, 1e-12);
+  EXPECT_NEAR(drawn["ball"][0].color.a, 0.2, 1e-6);
 }
 
 TEST(StateMessage, CarriesTheReport) {

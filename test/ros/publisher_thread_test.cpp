@@ -67,7 +67,8 @@ TEST(PublisherThreads, SnapshotsArriveWholeAndInOrder) {
       for (const int value : snapshot) whole = whole && value == snapshot[0];
       seen.push_back(snapshot[0]);
     }});
-    for (int frame = 0; frame < 20000; ++frame) {
+    for (int frame = 0; taken < 200; ++frame) {
+      std::this_thread::yield();
       if (publisher.busy(0)) continue;  // this frame is skipped
       snapshot.assign(100, frame);
       ++taken;
@@ -78,7 +79,6 @@ TEST(PublisherThreads, SnapshotsArriveWholeAndInOrder) {
   EXPECT_TRUE(whole);
   EXPECT_EQ(int(seen.size()), taken);
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
-  EXPECT_GT(taken, 1);
 }
 
 TEST(PublisherThreads, TaskThatThrowsFreesItsTopic) {

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every bad request to a service is refused with what is wrong and what is allowed, and changes nothing."""
+"""Every bad request is refused with what is wrong and what is allowed, and changes nothing."""
 import math
 import pathlib
 import sys
@@ -96,7 +96,7 @@ class Refusals(unittest.TestCase):
             self.assertIn(word, answer.message, named)
 
     def refuse_all(self, scene, table):
-        """Runs the same frames without and with refused requests in between: the states are equal."""
+        """The same frames without and with refused requests in between end in the same state."""
         hashes = []
         for bad in ([], table):
             self.node.start(scene)
