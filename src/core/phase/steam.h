@@ -6,6 +6,10 @@
 
 namespace ice_ice_baby {
 
+/// Density at 100 degrees C and 1 bar over that of water, 0.6 kg/m^3. Reported, but nothing in the
+/// simulation follows from it.
+constexpr float kSteamDensity = 6e-4f;
+
 template <class Real>
 class Steam {
  public:

@@ -86,6 +86,7 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
   const Phase of_scene = frozen() ? Phase::kIce : Phase::kWater;
   for (std::size_t k = 0; k < out.size(); ++k) {
     const Index i = places[k * stride];
+    const Phase phase = phases_ ? phases_->of(i) : of_scene;
     out[k] = {float(x.x[i]),
               float(x.y[i]),
               float(x.z[i]),
@@ -94,10 +95,10 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
               float(v.z[i]),
               float(heat_ ? heat_->temperature(i) : report_.temperature_c),
               float(heat_ ? heat_->iceFraction(i) : strictness_),
-              float(density_->density()[i]),
+              phase == Phase::kSteam ? kSteamDensity : float(density_->density()[i]),
               float(pascal * double(density_->multiplier()[i])),
               std::uint32_t(k * stride),
-              phases_ ? phases_->of(i) : of_scene};
+              phase};
   }
 }
 
