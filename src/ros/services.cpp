@@ -13,7 +13,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// What a temperature is set of, in words.
+/// What set_temperature acts on, for messages.
 std::string targetText(const Scene& scene, const std::string& target) {
   if (!target.empty()) return "collider " + target;
   return scene.thermal.enabled ? "air" : "the whole scene";
@@ -106,8 +106,9 @@ ServedScene Services::sceneFor(const Reset::Request& request) const {
   const std::string name = request.scene.empty() ? coming->source : request.scene;
   if (name.empty() && request.preset.empty()) return *coming;
   if (name.empty()) {
-    throw InvalidInput("preset = \"" + shortened(request.preset) +
-                       "\" needs the name of a scene: the one that runs came from a checkpoint");
+    throw InvalidInput(
+        "preset = \"" + shortened(request.preset) +
+        "\" needs the name of a scene, because the current one came from a checkpoint");
   }
   const std::string preset = request.preset.empty() ? parameters_.preset : request.preset;
   return {loadScene(name, overridesFor(parameters_, preset)), name};

@@ -11,10 +11,6 @@
 
 #include "simulation_client.h"
 
-namespace rviz {
-class DisplayGroup;
-}
-
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -35,7 +31,6 @@ class ControlPanel : public rviz::Panel {
 
   void load(const rviz::Config& config) override;
   void save(rviz::Config config) const override;
-  void onInitialize() override;
 
  Q_SIGNALS:
   // Emitted on the client's threads and received on the GUI thread.
@@ -56,7 +51,6 @@ class ControlPanel : public rviz::Panel {
   void showLine(const QString& text, bool good);
   void checkNode();
 
-  rviz::DisplayGroup* displays_ = nullptr;  ///< of the view; null if the panel is used alone
   QLineEdit* node_;
   TemperatureControl* temperature_;
   QPushButton* pause_;

@@ -79,7 +79,7 @@ class Bag(unittest.TestCase):
                                     text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         with recorder:
             said = ''
-            while 'Disabling recording' not in said:  # what the user is told, by rosbag
+            while 'Disabling recording' not in said:  # as rosbag reports it
                 line = recorder.stdout.readline()
                 self.assertTrue(line, said)
                 said += line

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Simulated time on /clock, other nodes that run by it, and two clocks at once."""
+"""Simulated time on /clock, other nodes that follow it, and two clocks at once."""
 import pathlib
 import sys
 import time

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Who can reach the demo: what README.md says of its sockets, and that the fence holds."""
+"""Who can reach the demo: the sockets as in doc/operating.md, and that the fence holds."""
 import os
 import socket
 import subprocess
@@ -59,7 +59,7 @@ class Fence(Processes):
         node = self.start_node('scene:=small', 'threads:=1')
         self.state()
         self.assertEqual({address for address, _ in listening(master.pid)}, {'127.0.0.1'})
-        # As README.md says: data on loopback, the node's XML-RPC on every interface.
+        # As in doc/operating.md: data on loopback, the node's XML-RPC on every interface.
         self.assertEqual(sorted(address for address, _ in listening(node.pid)),
                          ['0.0.0.0', '127.0.0.1'])
 

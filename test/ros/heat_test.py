@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A scene with heat from outside: targets of temperatures, heated regions, what is told of it."""
+"""A scene with heat: temperatures of colliders, heated regions, diagnostics."""
 import math
 import pathlib
 import sys
@@ -27,7 +27,7 @@ class Heat(unittest.TestCase):
                        power_w=500.0, duration_s=1.0)
         return self.node.heat_region(**dict(request, **changes))
 
-    def test_set_temperature_says_of_what(self):
+    def test_set_temperature_names_its_target(self):
         answer = self.node.set_temperature(temperature=-5.0, ramp_s=2.0)
         self.assertEqual(answer.message, 'the whole scene going to -5 degrees C over 2 s')
         self.node.start('warm')
@@ -96,10 +96,10 @@ class Heat(unittest.TestCase):
     def test_diagnostics_of_heat(self):
         def keys():
             return {v.key for v in self.node.diagnostic('solver', lambda s: True).values}
-        self.assertNotIn('ice bodies', keys())
+        self.assertNotIn('thermal_speedup_wanted', keys())
         self.node.start('warm')
-        self.assertIn('ice bodies', keys())
-        self.assertIn('temperature, mean [degrees C]', keys())
+        self.assertIn('thermal_speedup_wanted', keys())
+        self.assertIn('mean_celsius', keys())
 
 
 if __name__ == '__main__':

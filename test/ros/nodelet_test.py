@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The nodelet loads, serves, and unloads; one that is refused leaves its manager alive."""
+"""The nodelet loads, serves and unloads; a refused parameter does not end its manager."""
 import pathlib
 import subprocess
 import sys

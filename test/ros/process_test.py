@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The node as a process: refusals at the start, prompt ends, a master that goes and comes back."""
+"""The node as a process: refused parameters, prompt shutdown, loss and restart of the master."""
 import re
 import signal
 import subprocess
@@ -8,7 +8,7 @@ import time
 
 from processes import SIMULATION_NODE, Processes
 
-# Holds its connections, so it reaches the node without a master.
+# Keeps its connections open, so it reaches the node without a master.
 CALLER = """
 import rospy
 from ice_ice_baby.srv import GetState, Reset

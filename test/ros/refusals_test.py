@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every bad request names what is wrong and what is allowed, and changes nothing."""
+"""Every bad request is refused with what is wrong and what is allowed, and changes nothing."""
 import math
 import pathlib
 import sys
@@ -21,7 +21,7 @@ def torch(**changes):
                      power_w=500.0, duration_s=1.0), **changes)
 
 
-# Service, request, what the answer must say of it: the thing, and the range or the cure.
+# Service, request, what the answer must contain: the thing, and the range or the cure.
 ALWAYS = [
     ('set_temperature', dict(temperature=NAN), ['temperature', 'nan', '[-273.15, 1000]']),
     ('set_temperature', dict(temperature=-INF), ['temperature', '-inf', '[-273.15, 1000]']),
@@ -72,7 +72,7 @@ WITH_HEAT = [
     ('heat_region', torch(duration_s=INF), ['duration', 'inf', '[0, 1e+06]']),
 ]
 RUNNING = [('step', dict(frames=1), ['paused', 'call pause first'])]
-WITHOUT_FIELDS = {'get_state', 'pause', 'resume'}  # nothing in them can be refused
+WITHOUT_FIELDS = {'get_state', 'pause', 'resume'}  # their requests are empty
 
 
 class Refusals(unittest.TestCase):
@@ -81,8 +81,8 @@ class Refusals(unittest.TestCase):
         rospy.init_node('refusals_test')
         cls.node = Node()
 
-    def told(self):
-        """All that get_state tells of the scene, its hash among it."""
+    def scene_state(self):
+        """Everything in get_state about the scene, with its hash."""
         state = self.node.when(lambda s: s.state_hash, 'a hash, so a pause')
         state.header.stamp, state.topics = rospy.Time(0), []
         return str(state)
@@ -96,15 +96,15 @@ class Refusals(unittest.TestCase):
             self.assertIn(word, answer.message, named)
 
     def refuse_all(self, scene, table):
-        """Two runs of the same frames, one of them among refused requests: the same state."""
+        """The same frames without and with refused requests in between end in the same state."""
         hashes = []
         for bad in ([], table):
             self.node.start(scene)
             self.node.run_frames(3)
             for service, request, words in bad:
-                before = self.told()
+                before = self.scene_state()
                 self.refuse(service, request, words)
-                self.assertEqual(self.told(), before, service)
+                self.assertEqual(self.scene_state(), before, service)
             self.node.run_frames(5)
             hashes.append(self.node.hash())
         self.assertEqual(hashes[0], hashes[1])
@@ -125,7 +125,7 @@ class Refusals(unittest.TestCase):
         for service, request, words in RUNNING:
             self.refuse(service, request, words)
         self.node.pause()
-        self.node.diagnostic('solver', lambda s: s.level == 0)  # nothing failed later either
+        self.node.diagnostic('solver', lambda s: s.level == 0)  # nothing failed later
 
 
 if __name__ == '__main__':

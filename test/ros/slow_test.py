@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Services answer within a frame though a frame takes long."""
+"""Services answer quickly although a frame takes long."""
 import pathlib
 import statistics
 import sys
@@ -35,7 +35,7 @@ class Slow(unittest.TestCase):
     def test_overload_is_a_warning(self):
         node = Node()
         status = node.diagnostic('real time', lambda s: s.level == 1, 30.0)
-        self.assertIn('slower than wanted', status.message)
+        self.assertIn('slower than requested', status.message)
 
 
 if __name__ == '__main__':

@@ -45,7 +45,7 @@ class Verdict(unittest.TestCase):
 
     def test_what_steam_lifts_is_not_judged(self):
         lifted = {"error": {"energy_rise": 2.0}}
-        self.assertEqual(verdict.verdict(outcome(most_steam=5, **lifted)), "stable")
+        self.assertEqual(verdict.verdict(outcome(max_steam=5, **lifted)), "stable")
 
     def test_a_limit_that_run_scene_calls_unstable_is_degraded(self):
         self.assertEqual(verdict.verdict(outcome("unstable", speed_limited=900)), "degraded")

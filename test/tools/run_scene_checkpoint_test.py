@@ -1,4 +1,4 @@
-"""Contract of run_scene --save, --autosave and --load: no plug that is pulled loses a run."""
+"""Contract of run_scene --save, --autosave and --load: a run survives a kill at any time."""
 import json
 import signal
 import subprocess

@@ -9,32 +9,31 @@ from iib.error_runtime.studies import PEERS_STUDY, THREADS
 COLUMNS = """density_mean density_max column_height_lost front_error energy_rise residual_speed_m_s
 apart within_a_spacing_s ice_drift_spacings ice_residual_speed_m_s""".split()
 
-MEANING = """## What the numbers mean
+MEANING = """## Definitions
 
-- **Cost**: wall time of the frames, without the measuring, over particles and simulated seconds;
-  median over the repeats, which ran in rounds. Points joined by a line differ only in what the
-  labels say; the bar behind a point is the spread of its repeats; × is unstable.
-- **Density error**: max(ρ/ρ0 − 1, 0) by the cubic spline with h = 2 d and walls counted, whatever
-  the solver uses inside: mean over particles and frames; and the mean over frames of the largest.
-- **Volume lost**: mean of 1 − 1 / max(ρ/ρ0, 1). **Column height**: of water that fills its
-  container, twice the height of its centre of mass, mean over the last half second; how far it is
-  below that at the start (negative: it stands too high).
-- **Energy risen without work**: how far the total energy was above its running minimum, relative
-  to the weight of the water times its height at the start plus its kinetic energy. It may not
-  rise: 0 is ideal.
-- **Speed of the last half second**: root mean square over particles and frames. In still water 0
-  is ideal; in a splash compare it with that of the accurate settings: above it boils, below it is
-  sticky.
+- **Cost**: wall time of the frames, without measurements, per particle and simulated second;
+  median of the repeats, which ran in rounds. Points joined by a line differ only in the labelled
+  value. The bar behind a point is the spread of its repeats; × is unstable.
+- **Density error**: max(ρ/ρ0 − 1, 0) with the cubic spline at h = 2 d, walls included, whatever
+  kernel the solver uses: mean over particles and frames, and mean over frames of the maximum.
+- **Volume lost**: mean of 1 − 1 / max(ρ/ρ0, 1). **Column height**: twice the height of the centre
+  of mass of water that fills its container, mean over the last half second; given as the decrease
+  from the start (negative: too high).
+- **Energy gained without work**: maximum of the total energy above its running minimum, relative
+  to the weight of the water times its initial height plus its initial kinetic energy. 0 is ideal.
+- **Speed of the last half second**: root mean square over particles and frames. 0 is ideal for
+  water at rest. For a splash, compare it with the accurate settings: higher is restless, lower is
+  too viscous.
 {distance}- **Ice**: root mean square distance of the particles from the best-fit rigid motion of
-  the piece that they froze into, from the frame in which it froze to the end, in
-  spacings; and the speed left, which should be 0. Sleep is off.
+  the body that they froze into, from the frame in which it froze to the end, in spacings; and the
+  residual speed, ideally 0. Sleep is off.
 """
 
 
 DISTANCE = """\
-- **Distance to the reference**: root mean square over particles to where a run in double with
-  {substeps} substeps has them, in spacings. That reference and one with half its substeps stay
-  within a spacing for {horizon}; later, water is chaos and no distance means anything.
+- **Distance to the reference**: root mean square distance of the particles from those of a run in
+  double with {substeps} substeps, in spacings. That reference and one with half its substeps stay
+  within a spacing for {horizon}; later, the flow is chaotic and the distance has no meaning.
 """
 
 
@@ -84,7 +83,7 @@ def study_section(result):
             f"![error against run time]({name}error.png)\n![other metrics]({name}metrics.png)\n\n"
         )
     if study.water:
-        text += "The front:\n\n"
+        text += "Pareto front:\n\n"
         rows = [row for row in rows if row["on_front"]]
     return text + points_table(rows, keys) + "\n"
 
@@ -113,7 +112,7 @@ def counts_table(settings, keys):
                 percent(best["largest"]),
             ]
         )
-    return markdown.table(["particles in real time", "take", "mean error %", "largest %"], lines)
+    return markdown.table(["particles in real time", "setting", "mean error %", "maximum %"], lines)
 
 
 def targets_table(settings, keys, names):
@@ -121,7 +120,9 @@ def targets_table(settings, keys, names):
     for target in choices.TARGETS:
         best = choices.for_target(settings, target)
         if best is None:
-            lines.append([percent(target), "none of those measured"] + ["–"] * (len(names) + 2))
+            lines.append(
+                [percent(target), "none of the measured settings"] + ["–"] * (len(names) + 2)
+            )
             continue
         errors = [percent(row["density_mean"]) for row in best["rows"]]
         lines.append(
@@ -170,9 +171,9 @@ def conclusions(results):
     keys = varying([s["keys"] for s in settings], axes)
     names = [result.study.scene for result in water]
     judged = (
-        f"Each setting is judged by the worst of {', '.join(names[:-1])} and {names[-1]}; those "
-        "with which energy rises without work by more than "
-        f"{percent(choices.MAX_ENERGY_RISE)} % are left out. Real time holds at any frame rate: "
+        f"Each setting is judged by the worst of {', '.join(names[:-1])} and {names[-1]}; settings "
+        f"that gain more than {percent(choices.MAX_ENERGY_RISE)} % of energy without work are "
+        "excluded. Real time holds at any frame rate: "
         "a viewer at 30 fps shows every second frame of 1/60 s."
     )
     tables = [counts_table(settings, keys), targets_table(settings, keys, names)]
@@ -202,13 +203,13 @@ def peers_section(results, peers):
         "peer",
         "µs/particle/s",
         "mean error %",
-        "largest %",
-        "cheapest here that is no worse in both",
+        "maximum %",
+        "cheapest setting here with no larger errors",
         "µs/particle/s",
         "times cheaper",
     ]
     return (
-        f"## Against others\n\nOn {result.study.scene}:\n\n"
+        f"## Comparison with SPlisHSPlasH\n\nIn {result.study.scene}:\n\n"
         + markdown.table(header, lines)
         + "\n\n"
     )
@@ -221,9 +222,9 @@ def origin(results):
     took = sum(run["seconds"] for run in runs) / 60
     return (
         f"Made by `scripts/error_vs_runtime --report` at commit {', '.join(commits)} on "
-        f"{machine.processor()}, {THREADS} threads and float where nothing else is said, "
-        f"{dates[0][:10]}; {len(runs)} runs, {took:.0f} min of machine time. A setting's cost "
-        "depends on the processor: run it on yours."
+        f"{machine.processor()}, {THREADS} threads and float unless stated otherwise, "
+        f"{dates[0][:10]}; {len(runs)} runs, {took:.0f} min of machine time. The cost of a "
+        "setting depends on the processor; measure it on yours."
     )
 
 
@@ -233,7 +234,7 @@ def meaning(results):
         return MEANING.format(distance="")
     horizon = f"{kept['horizon_s']:.2g} s"
     if kept["horizon_s"] >= kept["seconds"] - 1e-9:
-        horizon = f"all of the {kept['seconds']:g} s that are compared"
+        horizon = f"all of the {kept['seconds']:g} s compared"
     distance = DISTANCE.format(substeps=kept["substeps"], horizon=horizon)
     return MEANING.format(distance=distance)
 
@@ -242,9 +243,10 @@ def document(results, peers):
     sections = [study_section(result) for result in results]
     return "\n".join(
         [
-            "# Error against run time\n",
+            "# Error and run time\n",
+            "Which settings should I use: what error do I get for which run time?\n",
             origin(results) + "\n",
-            "## What to take\n",
+            "## Recommended settings\n",
             conclusions(results),
             peers_section(results, peers) + "\n".join(sections),
             meaning(results),

@@ -38,7 +38,7 @@ STUDIES = (
     Study(
         "dam_break",
         "dam_break",
-        "water in violent motion, the scene by which solvers are compared",
+        "violent motion, used to compare solvers",
         WATER,
         2.0,
         trajectory_s=0.5,
@@ -46,7 +46,7 @@ STUDIES = (
     Study(
         "column",
         "hydrostatic_column",
-        "water that should stand still, twenty particles high",
+        "water at rest, twenty particles high",
         WATER,
         2.0,
     ),
@@ -65,7 +65,7 @@ STUDIES = (
     Study(
         "variants",
         "dam_break",
-        "threads, precision and the paper's own method",
+        "threads, precision and the method of the paper",
         ({"threads": ["1", "2"], "precision": ["float", "double"]}, {"preset": ["paper"]}),
         1.0,
         water=False,

@@ -21,7 +21,7 @@ def momentum_lost(outcome):
 
 @case(7)
 def instant_freeze(run):
-    """All of a splash in flight freezes at once, by springs and by heat: momentum kept, no one
+    """A splash freezes completely in flight, by springs and by heat: momentum kept, no particle
     faster than before
     """
     checks = []
@@ -34,15 +34,15 @@ def instant_freeze(run):
         )
         checks += [
             at_most(f"{kind}: momentum lost", momentum_lost(end), 1e-5),
-            at_most(f"{kind}: fastest after, of before", faster, 1.05),
-            reported(f"{kind}: most ice", 100 * end.report["most_ice"], "%"),
+            at_most(f"{kind}: maximum speed after / before", faster, 1.05),
+            reported(f"{kind}: maximum ice", 100 * end.report["max_ice"], "%"),
         ]
     return checks
 
 
-@case(9, rise=0.02, because="what freezes lifts what lies on it")
+@case(9, rise=0.02, because="freezing water lifts the water above")
 def absurd_temperatures(run):
-    """±10⁶ degrees, NaN and infinity wherever a scene has a temperature: refused by name"""
+    """±10⁶ degrees, NaN and infinity for every temperature in a scene: refused by name"""
     for value in ("1e6", "-1e6", ".nan", ".inf", "-.inf", "-273.16", "1000.001"):
         run.refused("temperature.initial_c", "splash", f"temperature.initial_c={value}")
         run.refused("celsius", "splash", f"schedule=[{{at_s: 0, celsius: {value}}}]")
@@ -65,7 +65,7 @@ def absurd_temperatures(run):
 
 @case(24)
 def overshooting_settings(run):
-    """Relaxation above 1, warm start above 1/2, a mass that no water can have: refused; epsilon 0:
+    """Relaxation above 1, warm start above 1/2, an impossible mass: refused; epsilon 0:
     stable
     """
     run.refused("solver.relaxation", "splash", "solver.relaxation=1.01")
@@ -76,13 +76,13 @@ def overshooting_settings(run):
         at_most(
             "mean density error without epsilon", 100 * end.report["density_error_mean"], 1, "%"
         ),
-        at_most("times slowed", end.report["speed_limited"], 0),
+        at_most("speed limit applied", end.report["speed_limited"], 0),
     ]
 
 
 @case(25)
 def backward_and_nowhere(run):
-    """Steps below 0, poses, sizes and velocities that are no numbers: refused by name"""
+    """Negative steps; poses, sizes and velocities that are NaN: refused by name"""
     for key in (
         "solver.frame_rate_hz",
         "solver.substeps",
@@ -107,9 +107,7 @@ def backward_and_nowhere(run):
 
 @case(26)
 def melting_in_contact(run):
-    """Balls of ice that lie on each other in water melt within a tenth of a second: no kick, all
-    melted
-    """
+    """Spheres of ice stacked in water melt within a tenth of a second: no impulse, all melted"""
     hot = (
         "thermal.speedup=1e5",
         "schedule=[{at_s: 0.6, celsius: 200}]",
@@ -123,15 +121,15 @@ def melting_in_contact(run):
         for part in (series["time_s"] < 0.6, series["time_s"] > 0.6)
     )
     return [
-        at_most("fastest after, of before", after / before, 1.5),
+        at_most("maximum speed after / before", after / before, 1.5),
         at_most("ice left", 100 * end.report["strictness"], 1, "%"),
-        at_least("most bodies", end.report["max_ice_bodies"], 27),
+        at_least("maximum number of bodies", end.report["max_ice_bodies"], 27),
     ]
 
 
 @case(27)
 def any_number_of_threads(run):
-    """1, 2, 4 and 8 threads, of water, ice, hail, frost and steam: the same bits"""
+    """Water, ice, hail, frost and steam with 1, 2, 4 and 8 threads: the same bits"""
     freezing = ("schedule=[{at_s: 0.2, celsius: -100}]",)
     apart = 0
     for scene, sets in (
@@ -146,10 +144,10 @@ def any_number_of_threads(run):
     return [at_most("scenes that differ in bits", apart, 0)]
 
 
-@case(rise=None, because="ice that expands works")
+@case(rise=None, because="expanding ice does work")
 def frozen_in_a_full_tank(run):
-    """A tank full to the lid freezes and has nowhere to expand, with ice lighter and heavier than
-    water: contained
+    """A full closed tank freezes without room to expand, with ice lighter and heavier than water:
+    contained
     """
     full = (
         "blocks=[{min_m: [-0.4, -0.2, 0], max_m: [0.4, 0.2, 0.7], celsius: 1}]",
@@ -170,7 +168,7 @@ def frozen_in_a_full_tank(run):
 
 @case(rise=None, because="steam is lifted")
 def all_boils_at_once(run):
-    """Boiling at the fastest clock and the greatest flux, and all of it condensed again: contained,
+    """Boiling at the maximum speed-up and flux, then complete condensation: contained,
     counted
     """
     end = run("kettle", "thermal.speedup=1e7", "containers.0.flux_w_m2=1e7")
@@ -182,9 +180,7 @@ def all_boils_at_once(run):
         "steam.rise_speed_m_s=100",
         "steam.drag_1_s=1e4",
     )
-    return [
-        at_least("steam, of all particles", end.report["most_steam"] / end.report["particles"], 0.5)
-    ]
+    return [at_least("fraction of steam", end.report["max_steam"] / end.report["particles"], 0.5)]
 
 
 @case(rise=5e-3, because="crushed in a step")
@@ -201,8 +197,8 @@ def ice_at_a_step_of_a_second(run):
 
 @case()
 def greatest_conductivity(run):
-    """Conductivities, capacities and latent heats at the ends of their ranges, at the fastest
-    clock: contained
+    """Conductivities, specific heats and latent heats at the ends of their ranges, at the maximum
+    speed-up: contained
     """
     fast = (
         "thermal.speedup=1e7",
@@ -229,9 +225,9 @@ def greatest_conductivity(run):
         run("iceberg", *fast, *sets)
 
 
-@case(rise=0.02, because="springs cut short by the limit of a correction")
+@case(rise=0.02, because="the correction limit cuts springs")
 def elastic_ice_that_shatters(run):
-    """Elastic ice of every softness is shot at a wall and breaks: contained"""
+    """Elastic ice of any compliance is shot at a wall and breaks: contained"""
     for compliance in ("1e-9", "1e-6", "1e-3", "1"):
         sets = ("thermal.enabled=true", "blocks.0.celsius=-5", f"ice.compliance_m_n={compliance}")
         run("shot", *sets, "ice.break_strain=0.01", "blocks.0.velocity_m_s=[100, 30, 10]")

@@ -42,7 +42,7 @@ def calm(outcome, bound=0.02):
 
 @case(1, rise=0.05, because="crushed in a step")
 def step_of_a_second(run):
-    """A substep of a second, and of a sixth: no faster than the limit, contained"""
+    """Substeps of 1 s and of 1/6 s: no faster than the limit, contained"""
     ends = [
         run("splash", *sets, duration_s=60) for sets in (AT_ONE_SECOND, ("solver.frame_rate_hz=1",))
     ]
@@ -51,14 +51,14 @@ def step_of_a_second(run):
 
 @case(2, rise=1.0, because="crushed in a step")
 def gravity_of_1e4(run):
-    """Gravity of 10,000 m/s², down and aslant, with the usual speed limit and without: capped,
-    contained
+    """Gravity of 10,000 m/s², vertical and oblique, with the default speed limit and without:
+    capped, contained
     """
     usual = run("splash", "gravity_m_s2=[0, 0, -1e4]")
     run("splash", "gravity_m_s2=[1e4, 1e4, -1e4]")
     run("splash", "gravity_m_s2=[0, 0, -1e4]", FREE)
     run("iceberg", "gravity_m_s2=[1e4, 1e4, -1e4]")
-    return [at_most("fastest under the limit", usual.report["fastest_m_s"], 30.001, "m/s")]
+    return [at_most("maximum speed with the limit", usual.report["fastest_m_s"], 30.001, "m/s")]
 
 
 @case(3)
@@ -79,7 +79,7 @@ def nearly_coincident_pair(run):
 
 @case(5)
 def centre_of_a_sphere(run):
-    """A particle at the very centre of a sphere, and a block around one: refused by name"""
+    """A particle at the exact centre of a sphere, and a block around a sphere: refused by name"""
     ball = "spheres=[{name: ball, position_m: [0, 0, 0.3], radius_m: 0.1}]"
     run.refused("sphere ball (spheres.0)", "splash", f"blocks=[{point(z=0.3)}]", ball)
     run.refused("sphere ball (spheres.0)", "splash", ball.replace("[0, 0, 0.3]", "[-0.3, 0, 0.4]"))
@@ -87,7 +87,8 @@ def centre_of_a_sphere(run):
 
 @case(6)
 def too_full(run):
-    """A tank with its water eight times over, and a million particles in room for half: refused by
+    """A tank with eight times its water, and a million particles in space for half of them:
+    refused by
     name
     """
     full = copied("{min_m: [-0.25, -0.25, 0], max_m: [0.25, 0.25, 0.5]}", 2, 2, 2)
@@ -104,7 +105,7 @@ def too_full(run):
 
 @case(10)
 def no_iterations(run):
-    """No solver iterations: ballistic flight by the closed form, contained"""
+    """No solver iterations: ballistic flight as in the closed form, contained"""
     run("splash", "solver.iterations=0")
     end = run("free_fall", "solver.iterations=0", precision="double", series=True)
     series = end.series()
@@ -120,7 +121,7 @@ def no_iterations(run):
 
 @case(11)
 def any_size(run):
-    """Particles of 0.1 mm to 10 m, times scaled as the root of lengths: one and the same flow"""
+    """Particles of 0.1 mm to 10 m, times scaled with the square root of lengths: the same flow"""
     sizes = (1e-4, 1e-3, 0.01, 0.05, 1, 10)
     ends = {
         d: run(
@@ -135,13 +136,13 @@ def any_size(run):
     base = sizes.index(D)
     return [
         at_most(
-            "height of the centre of mass, apart from that at 5 cm",
+            "height of the centre of mass, difference from 5 cm",
             100 * np.abs(heights / heights[base] - 1).max(),
             0.1,
             "%",
         ),
         at_most(
-            "density error, apart from that at 5 cm",
+            "density error, difference from 5 cm",
             100 * np.abs(errors - errors[base]).max(),
             0.05,
             "%",
@@ -149,11 +150,9 @@ def any_size(run):
     ]
 
 
-@case(12, rise=None, because="of a weight of nothing: rounding")
+@case(12, rise=None, because="relative to almost no weight: rounding")
 def denormals(run):
-    """Gravity so small that speeds are denormal: no more than twice as slow as with ordinary
-    numbers
-    """
+    """Gravity so small that speeds are denormal: at most twice as slow as with ordinary numbers"""
 
     def cost(gravity):
         return run(
@@ -165,12 +164,12 @@ def denormals(run):
         ).report["wall_time_s"]
 
     cost("-1e-3")
-    return [at_most("wall time against that with 1e-10 m/s²", cost("-1e-38") / cost("-1e-10"), 2.0)]
+    return [at_most("wall time relative to 1e-10 m/s²", cost("-1e-38") / cost("-1e-10"), 2.0)]
 
 
 @case(13)
 def nothing_in_it(run):
-    """A scene without water, one without walls, one without either: they run"""
+    """Scenes without water, without walls, and without both: they run"""
     ends = [
         run("splash", "blocks=[]"),
         run("splash", "containers=[]"),
@@ -186,7 +185,7 @@ def nothing_in_it(run):
 
 @case(14)
 def one_particle(run):
-    """One particle without gravity: nothing pushes it"""
+    """One particle without gravity: no force acts on it"""
     end = run("splash", f"blocks=[{point(z=0.3)}]", "gravity_m_s2=[0, 0, 0]", duration_s=10)
     run("splash", f"blocks=[{point(z=0.3)}]")
     return [at_most("fastest", end.report["fastest_m_s"], 0.0, "m/s")]
@@ -194,7 +193,7 @@ def one_particle(run):
 
 @case(17)
 def gap_below_a_particle(run):
-    """Gaps of less than a spacing between ball, plate and floor, a tank narrower than a particle:
+    """Gaps of less than a spacing between sphere, plate and floor, a tank narrower than a particle:
     contained
     """
     run("splash", "spheres=[{name: ball, position_m: [0.2, 0, 0.17], radius_m: 0.15}]")
@@ -213,10 +212,10 @@ def gap_below_a_particle(run):
     )
 
 
-@case(18, rise=2e-3, because="at a substep a frame")
+@case(18, rise=2e-3, because="with one substep per frame")
 def thousand_metres_a_second(run):
-    """Water and ice at 1,000 m/s against walls and a plate a tenth of a millimetre thick: nothing
-    tunnels
+    """Water and ice at 1,000 m/s against walls and a plate a tenth of a millimetre thick: no
+    tunnelling
     """
     for speed in ("[1000, 0, 0]", "[-577, 577, 577]", "[0, 0, -1000]"):
         run("shot", f"blocks.0.velocity_m_s={speed}")
@@ -236,16 +235,19 @@ def thousand_metres_a_second(run):
 
 @case(19)
 def step_500_times_longer(run):
-    """From 1,000 substeps a frame to 2, by an error that may be large: rescaled, no kick"""
+    """From 1,000 substeps per frame to 2, through a large target error: rescaled, no impulse"""
     end = run("pool", "solver.substeps=1000", "solver.target_error=0.5", duration_s=3, series=True)
     first = run("pool", "solver.substeps=2", duration_s=3, series=True)
     kick = end.series()["max_speed_m_s"].max() / first.series()["max_speed_m_s"].max()
-    return [at_most("fastest, of that with 2 substeps from the start", kick, 1.2), calm(end, 0.05)]
+    return [
+        at_most("maximum speed, relative to 2 substeps from the start", kick, 1.2),
+        calm(end, 0.05),
+    ]
 
 
 @case(21)
 def far_from_the_origin(run):
-    """Water 100 km and 99 m from the origin: refused by name; rests as at the origin"""
+    """Water 100 km and 99 m from the origin: refused by name; comes to rest as at the origin"""
     run.refused("containers.0.position_m", "pool", "containers.0.position_m=[1e5, 0, 0]")
     run.refused("blocks.0.m", "pool", "blocks.0.min_m=[1e5, 0, 0]", "blocks.0.max_m=[100001, 1, 1]")
     far = (
@@ -257,7 +259,7 @@ def far_from_the_origin(run):
     error = [end.series()["density_error_mean"][-60:].mean() for end in (near, out)]
     return [
         at_most(
-            "density error, apart from that at the origin", 100 * abs(error[1] - error[0]), 0.1, "%"
+            "density error, difference from the origin", 100 * abs(error[1] - error[0]), 0.1, "%"
         ),
         at_most("residual speed", 1e3 * out.report["residual_speed_m_s"], 50, "mm/s"),
     ]
@@ -275,7 +277,7 @@ def ten_thousand_in_a_cell(run):
 
 @case(23)
 def overlapping_spawn(run):
-    """Water spawned twice in one place, half a spacing aside, and within a wall: refused by name"""
+    """Water spawned twice in one place, half a spacing apart, and inside a wall: refused by name"""
     block = "{min_m: [-0.5, -0.25, 0.1], max_m: [-0.1, 0.25, 0.7]}"
     aside = "{min_m: [-0.475, -0.25, 0.1], max_m: [-0.075, 0.225, 0.7]}"
     for other in (block, aside):
@@ -288,10 +290,10 @@ def overlapping_spawn(run):
     )
 
 
-@case(rise=None, because="nothing guards it")
+@case(rise=None, because="no limit applies")
 def no_guard(run):
-    """Relaxation 1, no correction limit, no viscosity, one iteration, density below rest corrected
-    too: contained
+    """Relaxation 1, no correction limit, no viscosity, one iteration, tension resisted:
+    contained
     """
     bare = (
         "solver.relaxation=1",
@@ -305,9 +307,9 @@ def no_guard(run):
     run("splash", *bare, "fluid.kernel=poly6_spiky", "fluid.boundary_density=false", duration_s=4)
 
 
-@case(rise=0.01, because="under a hundred times the weight")
+@case(rise=0.01, because="at a hundred times the weight")
 def preset_paper(run):
-    """The paper's own constants under a hundred times its gravity, as water and as springs:
+    """The constants of the paper at a hundred times its gravity, as water and as springs:
     contained
     """
     run("splash", "gravity_m_s2=[0, 0, -981]", preset="paper", duration_s=2)
@@ -339,7 +341,7 @@ def fastest_spin(run):
 
 @case()
 def sheet_under_load(run):
-    """A sheet falls onto a sphere under a hundred times its weight: contained, its springs hold"""
+    """A sheet falls onto a sphere at a hundred times its weight: contained, the springs hold"""
     block = "blocks=[{min_m: [-0.4, -0.4, 0.5], max_m: [0.4, 0.4, 0.55], sheet: true}]"
     ball = "spheres=[{name: ball, position_m: [0, 0, 0.25], radius_m: 0.15}]"
     run("splash", block, ball, tank(1, 1, 1), "gravity_m_s2=[0, 0, -981]", duration_s=2)

@@ -20,7 +20,7 @@ LEFT = {
     "map",
     "row",
     "stable in",
-    "degraded most",
+    "most degraded",
     "run",
     "value",
     "why",
@@ -65,7 +65,7 @@ def case_table(lines):
         "what",
         "finite, inside",
         "particles",
-        "fastest m/s",
+        "max speed m/s",
         "density error %",
         "energy risen %",
         "simulated s",
@@ -82,12 +82,12 @@ def case_table(lines):
 
 def boundary_table(found):
     text = (
-        f"{found['values']} values beside the ends of every range: "
+        f"{found['values']} values at the ends of every range: "
         f"{found['as expected']} as expected, "
         f"{found['outside and refused']} outside and refused by name, "
         f"{found['inside and run']} inside and run."
     )
-    text += "\n\nWithin a range and refused by another rule, which names the key:\n\n"
+    text += "\n\nValues within their range that another rule refuses by key:\n\n"
     text += markdown.table(("value", "why"), found["inside and refused"].items(), LEFT)
     wrong = "\n".join(f"- **{key}**: `{how}`" for key, how in found["not as expected"].items())
     return text + (f"\n\nNot as expected:\n\n{wrong}" if wrong else "")
@@ -101,7 +101,7 @@ def map_table(found):
             counts = (row.get(word, 0) for word in words)
             title = f"{one['title']}, {one['what']}"
             rows.append([title, name, *counts, row["stable in"], row["degraded by"]])
-    text = markdown.table(["map", "row", *words, "stable in", "degraded most"], rows, LEFT)
+    text = markdown.table(["map", "row", *words, "stable in", "most degraded"], rows, LEFT)
     wrong = [f"- {why}: `{how}`" for one in found.values() for why, how in one["not as expected"]]
     return "\n".join([text, "", "Not as expected:", "", *wrong] if wrong else [text])
 

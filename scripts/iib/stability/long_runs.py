@@ -74,7 +74,7 @@ def curves(one, outcome):
     if one.ice:
         ice = np.load(outcome.folder / "positions.npy")[:, -int(series["ice_particles"][0]) :]
         over_time["height of the ice, mm"] = 1e3 * ice[:, :, 2].mean(axis=1)
-        over_time["ice turned, degrees"] = turned_degrees(ice)
+        over_time["rotation of the ice, degrees"] = turned_degrees(ice)
     return series["time_s"], over_time
 
 
@@ -105,7 +105,7 @@ def checks(over_time):
             at_most(
                 "ice risen or sunk", drift("height of the ice, mm"), 0.05 * 1e3 * SPACING_M, "mm"
             ),
-            reported("ice turned", change["ice turned, degrees"][1], "degrees"),
+            reported("ice turned", change["rotation of the ice, degrees"][1], "degrees"),
         ]
     return found
 

@@ -118,9 +118,7 @@ def jump_map():
         row("heat, colder", "frost", 5, -1, 278.15),
         row("heat, warmer", "iceberg", -5, 1, 1005.0, warm_ice),
     ]
-    return Map(
-        "jump", "Jump of temperature", "degrees, at once", decades(1e-3, 1e4), "what, whither", rows
-    )
+    return Map("jump", "Temperature step", "degrees", decades(1e-3, 1e4), "what, whither", rows)
 
 
 def density_map():
@@ -144,7 +142,7 @@ def density_ratio_map():
     rows = swept("iceberg", "ice.density_ratio", (1, 2, 6, 30))
     return Map(
         "density_ratio",
-        "Density of ice over water",
+        "Density of ice relative to water",
         "ice.density_ratio",
         sorted({*decades(1e-3, 1e3), *inside}),
         "substeps",
@@ -202,7 +200,7 @@ def size_map():
         for n in (1, 6, 30)
     ]
     return Map(
-        "size", "Size of particles", "fluid.spacing_m", decades(1e-5, 1e2), "rate, substeps", rows
+        "size", "Particle size", "fluid.spacing_m", decades(1e-5, 1e2), "rate, substeps", rows
     )
 
 
@@ -217,7 +215,7 @@ def impact_map():
         )
         for n in (1, 2, 6, 12, 30)
     ]
-    return Map("impact", "Speed of impact", "speed, m/s", decades(1e-3, 1e4), "substeps", rows)
+    return Map("impact", "Impact speed", "speed, m/s", decades(1e-3, 1e4), "substeps", rows)
 
 
 def viscosity_map():
@@ -258,7 +256,7 @@ def speedup_map():
         ),
         row("boiling", "kettle"),
     ]
-    return Map("speedup", "Speed-up of heat", "thermal.speedup", decades(1e-2, 1e9), "what", rows)
+    return Map("speedup", "Thermal speed-up", "thermal.speedup", decades(1e-2, 1e9), "what", rows)
 
 
 MAPS = {

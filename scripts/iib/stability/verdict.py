@@ -24,7 +24,7 @@ def cut_share(report):
 
 def energy_rise(outcome):
     """Without work, of what the scene holds; steam is lifted by heat, which is work."""
-    return math.nan if outcome.report.get("most_steam", 0) > 0 else outcome.metric("energy_rise")
+    return math.nan if outcome.report.get("max_steam", 0) > 0 else outcome.metric("energy_rise")
 
 
 def verdict(outcome):

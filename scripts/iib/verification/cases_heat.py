@@ -42,10 +42,8 @@ def front_error(run, freezing, water_c=0.0, layers=14, spacing_m=0.01, depth=10,
 def front_checks(apart, bound):
     worst = apart[np.argmax(np.abs(apart))]
     return [
-        at_most("front at ten layers and after, largest error", percent(abs(worst)), bound, "%"),
-        reported(
-            "front at ten layers and after, mean error with its sign", percent(apart.mean()), "%"
-        ),
+        at_most("front at ten layers and later, maximum error", percent(abs(worst)), bound, "%"),
+        reported("front at ten layers and later, mean signed error", percent(apart.mean()), "%"),
     ]
 
 
@@ -59,10 +57,8 @@ def stefan_ice(run):
     heavy, _ = front_error(run, known_ice.Freezing(), sets=["gravity_m_s2=[0, 0, -9.81]"])
     return [
         *front_checks(apart, 1.0),
-        reported(
-            "the same under full gravity, mean error with its sign", percent(heavy.mean()), "%"
-        ),
-        reported("height of the column, of what expansion makes it", top / lifted),
+        reported("the same under full gravity, mean signed error", percent(heavy.mean()), "%"),
+        reported("height of the column, relative to the expected expansion", top / lifted),
         reported("residual speed", 1e3 * end.report["residual_speed_m_s"], "mm/s"),
     ]
 
@@ -136,10 +132,10 @@ def insulated_splash(run):
         heat, ice = end.series["enthalpy_j"], end.series["strictness"]
         drift = np.abs(heat - heat[0]).max() / np.abs(heat).max()
         checks += [
-            at_most(f"enthalpy gained or lost, relative, {precision}", drift, bound),
-            reported(f"share of ice at the start, {precision}", ice[0]),
-            reported(f"largest share of ice, {precision}", ice.max()),
-            reported(f"share of ice at the end, {precision}", ice[-1]),
+            at_most(f"change of enthalpy, relative, {precision}", drift, bound),
+            reported(f"ice fraction at the start, {precision}", ice[0]),
+            reported(f"maximum ice fraction, {precision}", ice.max()),
+            reported(f"ice fraction at the end, {precision}", ice[-1]),
         ]
     return checks
 
@@ -163,12 +159,12 @@ def freeze_thaw(run):
     settled, frozen, thawed = (volume(end, at_s) for at_s in (0.4, 2.9, time[-1]))
     gained = percent(frozen / settled - 1.0)
     return [
-        at_least("share of ice when cold", ice[np.argmin(np.abs(time - 2.9))], 1.0),
-        at_most("share of ice at the end", ice[-1], 0.0),
-        at_most("volume gained by freezing, apart from 9.05", abs(gained - 9.05), 1.0, "%"),
+        at_least("ice fraction when cold", ice[np.argmin(np.abs(time - 2.9))], 1.0),
+        at_most("ice fraction at the end", ice[-1], 0.0),
+        at_most("volume gained by freezing, difference from 9.05", abs(gained - 9.05), 1.0, "%"),
         reported("volume gained by freezing", gained, "%"),
         at_most(
-            "volume after thawing, apart from before",
+            "volume after thawing, difference from before",
             percent(abs(thawed / settled - 1.0)),
             1.0,
             "%",
@@ -192,27 +188,27 @@ def freeze_thaw_100(run):
     heat, height = end.series["enthalpy_j"][ends], end.series["mean_z_m"][ends]
     energy = end.series["total_energy_j"][ends]
     return [
-        at_least("share of ice when cold, least of all cycles", ice[colds].min(), 1.0),
-        at_most("share of ice when warm, most of all cycles", ice[ends].max(), 0.0),
+        at_least("ice fraction when cold, minimum of all cycles", ice[colds].min(), 1.0),
+        at_most("ice fraction when warm, maximum of all cycles", ice[ends].max(), 0.0),
         at_most("ice bodies left", end.series["ice_bodies"][-1], 0.0),
         at_most("springs left", end.series["springs"][-1], 0.0),
         at_most(
             "particles that left or broke", end.report["escaped"] + end.report["non_finite"], 0.0
         ),
         at_most(
-            "enthalpy after the last cycle, of the first",
+            "enthalpy after the last cycle, relative to the first",
             percent(abs(heat[-1] / heat[0] - 1.0)),
             1.0,
             "%",
         ),
         at_most(
-            "volume after the last cycle, of the first",
+            "volume after the last cycle, relative to the first",
             percent(abs(height[-1] / height[0] - 1.0)),
             1.0,
             "%",
         ),
         at_most(
-            "mechanical energy after the last cycle, of the first",
+            "mechanical energy after the last cycle, relative to the first",
             percent(abs(energy[-1] / energy[0] - 1.0)),
             1.0,
             "%",

@@ -26,7 +26,7 @@ def floating(run, scene, half_m, ratio=RATIO, sets=()):
     """
     end = run(scene, sets=[*sets, f"ice.density_ratio={ratio!r}"])
     p, d = end.particles, end.spacing_m
-    ice = p["ice_fraction"] > 0.5
+    ice = p["phase"] == 1
     cube = ice_spacing_m(end, ratio)
     middle = np.array([p["x"][ice].mean(), p["y"][ice].mean()])
     beside = np.maximum(np.abs(p["x"] - middle[0]), np.abs(p["y"] - middle[1])) > half_m + 3 * d
@@ -39,7 +39,9 @@ def floating(run, scene, half_m, ratio=RATIO, sets=()):
         f", density ratio {ratio:g}" if ratio != RATIO else ""
     )
     return [
-        at_most(f"submerged fraction {name}, apart from {ratio:g}", abs(submerged - ratio), 0.02),
+        at_most(
+            f"submerged fraction {name}, difference from {ratio:g}", abs(submerged - ratio), 0.02
+        ),
         reported(f"submerged fraction {name}", submerged),
         reported(f"the same {name} from the volume displaced", by_volume),
         reported(f"residual speed {name}", 1e3 * end.report["residual_speed_m_s"], "mm/s"),
@@ -102,19 +104,19 @@ def tumbling_ice(run):
     spin, energy = whole_spin(end)
     return [
         at_most(
-            "angular momentum, largest change",
+            "angular momentum, maximum change",
             percent(np.linalg.norm(spin - spin[0], axis=1).max() / np.linalg.norm(spin[0])),
             1.0,
             "%",
         ),
         at_most(
-            "kinetic energy, largest change",
+            "kinetic energy, maximum change",
             percent(np.abs(energy / energy[0] - 1.0).max()),
             1.0,
             "%",
         ),
         at_most(
-            "apart from the best-fit rigid motion, in spacings",
+            "distance from the best-fit rigid motion, in spacings",
             end.report["error"]["ice_drift_spacings"],
             1e-3,
         ),
@@ -130,13 +132,15 @@ def ice_drop(run):
     touches = time[np.argmax(lowest <= rests_m + 1e-5)]
     apart = abs(touches - known.fall_time(lowest[0] - rests_m)) * end.frame_rate_hz
     return [
-        at_most("landing apart from a stone's, in frames", apart, 1.0),
+        at_most("time of landing, difference from free fall, in frames", apart, 1.0),
         at_most(
-            "deepest into the ground, in spacings", (rests_m - lowest).max() / end.spacing_m, 0.01
+            "maximum depth in the ground, in spacings",
+            (rests_m - lowest).max() / end.spacing_m,
+            0.01,
         ),
         at_most("speed at the end", 1e3 * end.series["max_speed_m_s"][-1], 0.1, "mm/s"),
         at_most(
-            "highest rise after landing, in spacings",
+            "maximum rise after landing, in spacings",
             (lowest[time > touches + 0.1].max() - rests_m) / end.spacing_m,
             0.01,
         ),
@@ -158,17 +162,17 @@ def ice_at_rest(run):
             0.01,
         ),
         at_most(
-            "deepest into the ground, in spacings",
+            "maximum depth in the ground, in spacings",
             (0.5 * end.spacing_m - lowest).max() / end.spacing_m,
             0.01,
         ),
         at_most(
-            "apart from the best-fit rigid motion, in spacings",
+            "distance from the best-fit rigid motion, in spacings",
             end.report["error"]["ice_drift_spacings"],
             1e-3,
         ),
         reported(
-            "time from which it sleeps",
+            "time at which it goes to sleep",
             time[np.argmax(end.series["ice_bodies_asleep"] > 0)]
             if end.series["ice_bodies_asleep"].any()
             else math.nan,
@@ -189,17 +193,17 @@ def ice_hits_water(run):
     spin, energy = vectors(end, "angular_momentum", "kg_m2_s"), end.series["kinetic_energy_j"]
     return [
         at_most(
-            "momentum gained or lost, of what is exchanged",
+            "change of momentum, relative to the momentum exchanged",
             momentum_drift(end, 0, -1, end.lattice_kg),
             1e-4,
         ),
         reported(
-            "angular momentum gained or lost",
+            "change of angular momentum",
             percent(np.linalg.norm(spin[-1] - spin[0]) / np.linalg.norm(spin[0])),
             "%",
         ),
         at_most(
-            "kinetic energy above that of the start",
+            "kinetic energy above the initial energy",
             percent(energy.max() / energy[0] - 1.0),
             0.1,
             "%",
@@ -219,21 +223,21 @@ def freeze_in_flight(run):
         return np.linalg.norm(spin[last] - spin[first]) / np.linalg.norm(spin[first])
 
     return [
-        at_least("share of ice in the end", end.series["strictness"][-1], 1.0),
+        at_least("ice fraction in the end", end.series["strictness"][-1], 1.0),
         at_most("time from the first ice to the last", time[after] - time[before], 0.1, "s"),
         at_most(
-            "momentum gained or lost in freezing, of what collided",
+            "change of momentum in freezing, relative to the collision",
             momentum_drift(end, before, after, end.lattice_kg),
             1e-3,
         ),
         # Of the particles' paths: what a piece has in the spins of its particles is missing, 0.1 m
         # d^2 each. test/core counts it in, and there angular momentum stays to the bound of 1e-3.
-        reported("angular momentum gained or lost in freezing", turned(before, after)),
+        reported("change of angular momentum in freezing", turned(before, after)),
         at_most(
-            "fastest particle after freezing, of that before",
+            "maximum speed after freezing, relative to before",
             fastest[after:].max() / fastest[before],
             1.0 + 1e-6,
         ),
-        at_most("angular momentum gained or lost by the ice later", turned(after, -1), 1e-3),
-        reported("pieces of ice", end.series["ice_bodies"][after]),
+        at_most("change of angular momentum by the ice later", turned(after, -1), 1e-3),
+        reported("number of ice bodies", end.series["ice_bodies"][after]),
     ]

@@ -12,13 +12,13 @@ INCH_M = 0.0254
 
 
 def energy_rise(run):
-    """Highest total energy above that of the start, relative to the largest part of it."""
+    """Highest total energy above the initial energy, relative to the largest part of it."""
     total = run.series["total_energy_j"]
     scale = max(
         run.series["kinetic_energy_j"].max(), np.abs(run.series["potential_energy_j"]).max()
     )
     return at_most(
-        "energy above that of the start", percent((total.max() - total[0]) / scale), 0.1, "%"
+        "energy above the initial energy", percent((total.max() - total[0]) / scale), 0.1, "%"
     )
 
 
@@ -32,7 +32,7 @@ def landing(run, drop_m, surface_m, frame_s):
     touches = run.series["min_z_m"] <= surface_m + 0.5 * run.spacing_m + 1e-5
     time = run.series["time_s"][np.argmax(touches)] if touches.any() else math.inf
     return at_most(
-        "landing apart from a stone's, in frames",
+        "time of landing, difference from free fall, in frames",
         abs(time - known.fall_time(drop_m)) / frame_s,
         1.0,
     )
@@ -60,13 +60,15 @@ def free_fall(run):
             1e-12,
         ),
         at_most(
-            "height after 1 s in single precision, apart",
+            "height after 1 s in single precision, difference",
             1e3 * abs(single.series["mean_z_m"][-1] - stepped[-1]),
             1.0,
             "mm",
         ),
         at_most(
-            "error to the parabola for half the step: halves, apart from 2", abs(ratio - 2.0), 1e-6
+            "ratio of the errors to the parabola for a step and half of it, difference from 2",
+            abs(ratio - 2.0),
+            1e-6,
         ),
     ]
 
@@ -78,7 +80,9 @@ def still(run, since_s):
     speed = math.sqrt(np.mean(run.series["rms_speed_m_s"][late] ** 2))
     return [
         at_least(
-            "height of the centre of mass, of the start's", height[late].mean() / height[0], 0.98
+            "height of the centre of mass, relative to the start",
+            height[late].mean() / height[0],
+            0.98,
         ),
         at_most(
             "mean density error", percent(run.series["density_error_mean"][late].mean()), 0.1, "%"
@@ -199,15 +203,18 @@ def elliptical_patch(run):
     kinetic = end.series["kinetic_energy_j"]
     return [
         at_most(
-            "semi-major axis, largest error to A0 t = 2",
+            "semi-major axis, maximum error up to A0 t = 2",
             percent(relative(half[inside], axes[inside, 0])),
             3.0,
             "%",
         ),
         at_most(
-            "area, largest change to A0 t = 2", percent(relative(area[inside], area[0])), 1.0, "%"
+            "area, maximum change up to A0 t = 2",
+            percent(relative(area[inside], area[0])),
+            1.0,
+            "%",
         ),
-        reported("kinetic energy at the end, of the start's", kinetic[-1] / kinetic[0]),
+        reported("final kinetic energy, relative to the start", kinetic[-1] / kinetic[0]),
         energy_rise(end),
     ]
 
@@ -225,7 +232,7 @@ def spinning_disk(run):
             1e-6,
         ),
         at_most(
-            "kinetic energy lost or gained, relative",
+            "change of kinetic energy, relative",
             relative(end.series["kinetic_energy_j"], end.series["kinetic_energy_j"][0]),
             1e-12,
         ),
@@ -258,7 +265,7 @@ def ball_on_sphere(run):
     distance = np.linalg.norm(end.positions - np.array([0, 0, 0.25], np.float32), axis=2)
     return [
         at_least(
-            "nearest centre to the sphere's surface, in spacings",
+            "minimum distance to the surface of the sphere, in spacings",
             (distance.min() - 0.15) / end.spacing_m,
             0.5 - 1e-4,
         ),
@@ -281,7 +288,7 @@ def falling_column(run):
             1e-3,
         ),
         landing(end, 0.3, 0.0, step),
-        at_least("height once at rest, of the column's", 2 * height[late].mean() / 0.4, 0.98),
+        at_least("height at rest, relative to the column", 2 * height[late].mean() / 0.4, 0.98),
         energy_rise(end),
     ]
 
@@ -297,8 +304,8 @@ def collision(run):
     turned = np.linalg.norm(spin - spin[0], axis=1).max() / np.linalg.norm(spin[0])
     return [
         # Samples are single precision; test/core holds the solver's own sums to 1e-12.
-        at_most("momentum gained or lost, of what is exchanged", drift, 1e-6),
-        reported("angular momentum gained or lost", percent(turned), "%"),
+        at_most("change of momentum, relative to the momentum exchanged", drift, 1e-6),
+        reported("change of angular momentum", percent(turned), "%"),
         energy_rise(end),
     ]
 
@@ -312,7 +319,7 @@ def sloshing(run):
     return [
         at_most("period against linear theory", percent(abs(period / expected - 1)), 5.0, "%"),
         reported(
-            "share of the swing lost in a period", percent(1 - math.exp(-decay * period)), "%"
+            "fraction of the amplitude lost per period", percent(1 - math.exp(-decay * period)), "%"
         ),
         energy_rise(end),
     ]

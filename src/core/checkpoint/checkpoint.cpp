@@ -29,7 +29,7 @@ struct Header {
   std::uint32_t version;
   std::uint32_t real_bytes;  ///< precision: 4 or 8
   std::uint64_t state_bytes;
-  std::uint32_t scene_keys;  ///< checksum of their names
+  std::uint32_t names;  ///< checksum of those of the scene's keys and of reported numbers
   std::uint32_t checksum;
 };
 static_assert(sizeof(Header) == 32 && std::is_trivially_copyable_v<Header>);
@@ -45,11 +45,13 @@ std::uint32_t checksumOf(const Header& header, std::string_view state) {
   return crc32Of(state, crc32Of({first, offsetof(Header, checksum)}));
 }
 
-std::uint32_t sceneKeys() {
+std::uint32_t namesChecksum() {
   Scene scene;
-  SceneKeys keys;
-  describe(scene, keys);
-  return crc32Of(keys.names());
+  StepReport report;
+  SceneKeys names;
+  describe(scene, names);
+  describeReproducible(names, report);
+  return crc32Of(names.names());
 }
 
 std::uint32_t realBytes(Precision precision) { return precision == Precision::kDouble ? 8 : 4; }
@@ -82,9 +84,10 @@ std::string_view checkedState(std::string_view bytes, Header& header) {
     throw InvalidInput("it holds numbers of " + std::to_string(header.real_bytes) +
                        " bytes, and this program knows 4 (float) and 8 (double)");
   }
-  if (header.scene_keys != sceneKeys()) {
+  if (header.names != namesChecksum()) {
     throw InvalidInput(
-        "its scene has other keys than this program knows; load it with the program that saved it");
+        "its scene has other keys, or its report other numbers, than this program knows; load it "
+        "with the program that saved it");
   }
   return state;
 }
@@ -124,7 +127,7 @@ std::string encodeCheckpoint(const Simulation& simulation) {
   std::memcpy(header.magic, kMagic.data(), sizeof header.magic);
   header.version = kVersion;
   header.real_bytes = realBytes(simulation.precision());
-  header.scene_keys = sceneKeys();
+  header.names = namesChecksum();
   header.state_bytes = bytes.size() - sizeof header;
   header.checksum = checksumOf(header, std::string_view(bytes).substr(sizeof header));
   std::memcpy(bytes.data(), &header, sizeof header);

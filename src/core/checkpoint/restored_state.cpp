@@ -71,20 +71,17 @@ void Neighbours<Real>::settle(std::size_t particles) {
 }
 
 template <class Real>
-void Colliders<Real>::settle() const {
+void Colliders<Real>::restore() const {
   const auto possible = [](const auto& pose) {
     return pose.position.cwiseAbs().maxCoeff() <= kMaxCoordinate_m && isRotation(pose.rotation);
   };
-  const auto all = [&](const auto& bodies) {
-    return std::all_of(bodies.begin(), bodies.end(), [&](const auto& body) {
-      return possible(body.motion.from) && possible(body.motion.to);
-    });
-  };
+  const bool motions = std::all_of(begin(), end(), [&](const MovingShape<Real>& collider) {
+    return possible(collider.motion.from) && possible(collider.motion.to);
+  });
   const bool travels = std::all_of(travels_.begin(), travels_.end(), [&](const Travel& travel) {
     return possible(travel.start) && possible(travel.target);
   });
-  requireSense(travels && all(containers) && all(planes) && all(spheres),
-               "a collider that is nowhere");
+  requireSense(travels && motions, "a collider that is nowhere");
 }
 
 template <class Real>
@@ -162,7 +159,7 @@ void Simulator<Real>::settle() {
   for (const Spawn& spawn : spawns_) spawned += spawn.count;
   particles_.settle(spawned);
   density_->settle(n);
-  colliders_.settle();
+  colliders_.restore();
   requireSense(substeps_ >= 1 && substeps_ <= 1000, "a number of substeps that cannot be");
   requireSense(within(strictness_, 0.0, 1.0), "ice that is more than frozen");
   requireSense(within(heat_due_s_, 0.0, kLongestWait_s) &&

@@ -48,9 +48,8 @@ void Simulator<Real>::carry(const std::vector<Jump<Real>>& jumps) {
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     if (inBody(i)) continue;
     for (const Jump<Real>& jump : jumps) {
-      if (jump.number >= colliders_.containers.size()) break;
       const Vec3<Real> local = jump.motion.from.toLocal(particles_.position.at(i));
-      if (!colliders_.containers[jump.number].shape.inside(local)) continue;
+      if (!colliders_[jump.number].shape.holds(local)) continue;
       const Mat3<Real> turn = jump.motion.to.rotation * jump.motion.from.rotation.transpose();
       particles_.position.set(i, jump.motion.to.toWorld(local));
       particles_.velocity.set(i, turn * particles_.velocity.at(i));

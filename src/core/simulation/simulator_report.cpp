@@ -83,6 +83,7 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
   const double pascal = -scene_.fluid.rest_density_kg_m3 * substeps_1_s * substeps_1_s;
   const auto& x = particles_.position;
   const auto& v = particles_.velocity;
+  const Phase of_scene = frozen() ? Phase::kIce : Phase::kWater;
   for (std::size_t k = 0; k < out.size(); ++k) {
     const Index i = places[k * stride];
     out[k] = {float(x.x[i]),
@@ -95,7 +96,8 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
               float(heat_ ? heat_->iceFraction(i) : strictness_),
               float(density_->density()[i]),
               float(pascal * double(density_->multiplier()[i])),
-              std::uint32_t(k * stride)};
+              std::uint32_t(k * stride),
+              phases_ ? phases_->of(i) : of_scene};
   }
 }
 
@@ -153,14 +155,12 @@ std::size_t Simulator<Real>::countEscaped() const {
   for (std::size_t k = 0; k < spawns_.size(); ++k) {
     const Block& block = scene_.blocks[k];
     const Vec3<Real> centre = ((block.min_m + block.max_m) / 2).cast<Real>();
-    for (std::size_t c = 0; c < scene_.containers.size(); ++c) {
-      const auto& body = colliders_.containers[c];
-      const Pose<Real> start = scene_.containers[c].pose().cast<Real>();
-      if (body.shape.open_top || !body.shape.inside(start.toLocal(centre))) continue;
+    for (const MovingShape<Real>& body : colliders_) {
+      if (!body.shape.closed() || !body.shape.holds(body.placed.toLocal(centre))) continue;
       for (std::uint32_t id = spawns_[k].first_id; id < spawns_[k].first_id + spawns_[k].count;
            ++id) {
         const Vec3<Real> local = body.motion.to.toLocal(particles_.position.at(places[id]));
-        if (!body.shape.inside(local)) ++escaped;
+        if (!body.shape.holds(local)) ++escaped;
       }
     }
   }

@@ -52,24 +52,6 @@ void FrameWriter::lookFromAbove(const Scene& scene) {
   canvas_.look(bounds.center() - 1.65f * size * into, into);
 }
 
-void FrameWriter::drawColliders(const Simulation& simulation) {
-  const Scene& scene = simulation.scene();
-  for (const Sphere& s : scene.spheres) {
-    const Eigen::Vector3f centre = simulation.colliderPose(s.name).position.cast<float>();
-    canvas_.drawSphere(centre, float(s.radius_m), {0.75f, 0.45f, 0.3f});
-  }
-  for (const Container& c : scene.containers) {
-    const Pose<float> pose = simulation.colliderPose(c.name).cast<float>();
-    for (int k = 0; k < 8; ++k) {
-      for (const int axis : {1, 2, 4}) {
-        if (k & axis) continue;
-        canvas_.drawLine(pose.toWorld(boxCorner(c, k)), pose.toWorld(boxCorner(c, k | axis)),
-                         {0.35f, 0.38f, 0.42f}, 0.8f);
-      }
-    }
-  }
-}
-
 void FrameWriter::paintPlainly(const Simulation& simulation) {
   canvas_.clear({0.95f, 0.96f, 0.97f}, {0.95f, 0.96f, 0.97f});
   simulation.sampleSprings(springs_, kMaxSprings);
@@ -84,7 +66,7 @@ void FrameWriter::paintPlainly(const Simulation& simulation) {
   for (const SpringSample& s : springs_) {
     canvas_.drawLine({s.ax, s.ay, s.az}, {s.bx, s.by, s.bz}, {0.2f, 0.35f, 0.6f}, 0.5f);
   }
-  drawColliders(simulation);
+  drawPlainColliders(simulation, canvas_);
 }
 
 void FrameWriter::write(const Simulation& simulation) {

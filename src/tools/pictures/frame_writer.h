@@ -23,7 +23,6 @@ class FrameWriter {
  private:
   void lookFromAbove(const Scene& scene);
   void paintPlainly(const Simulation& simulation);
-  void drawColliders(const Simulation& simulation);
 
   std::string folder_;
   std::size_t frames_ = 0;
