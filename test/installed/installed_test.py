@@ -64,7 +64,7 @@ def build(source, folder, search_path):
 
 def elf_files(prefix):
     for path in sorted(prefix.rglob("*")):
-        if path.is_file() and not path.is_symlink() and path.open("rb").read(4) == b"\x7fELF":
+        if path.is_file() and not path.is_symlink() and path.read_bytes()[:4] == b"\x7fELF":
             yield path
 
 
