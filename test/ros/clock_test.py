@@ -20,21 +20,21 @@ def seconds(message):
 class ClockTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        rospy.init_node('clock_test')
-        cls.giver, cls.follower = Node('/giver'), Node('/follower')
+        rospy.init_node("clock_test")
+        cls.giver, cls.follower = Node("/giver"), Node("/follower")
 
     def test_1_clock_is_simulated_time(self):
         self.giver.start()
-        with Latest('/clock', Clock) as clocks:
-            start = seconds(clocks.wait(what='a clock while paused'))
+        with Latest("/clock", Clock) as clocks:
+            start = seconds(clocks.wait(what="a clock while paused"))
             time.sleep(0.3)
             self.assertEqual({seconds(m) for m in clocks.messages}, {start})
             self.giver.run_frames(30)
-            clocks.wait(lambda m: abs(seconds(m) - start - 0.5) < 1e-6, 'half a second')
-            self.giver.reset(scene='', preset='')
-            self.giver.when(lambda s: s.frame == 0, 'the start')
+            clocks.wait(lambda m: abs(seconds(m) - start - 0.5) < 1e-6, "half a second")
+            self.giver.reset(scene="", preset="")
+            self.giver.when(lambda s: s.frame == 0, "the start")
             self.giver.run_frames(6)
-            clocks.wait(lambda m: abs(seconds(m) - start - 0.6) < 1e-6, 'time that runs on')
+            clocks.wait(lambda m: abs(seconds(m) - start - 0.6) < 1e-6, "time that runs on")
             times = [seconds(m) for m in clocks.messages]
         self.assertEqual(times, sorted(times))
         self.assertAlmostEqual(self.giver.state().header.stamp.to_sec(), start + 0.6, places=5)
@@ -42,7 +42,7 @@ class ClockTest(unittest.TestCase):
     def test_2_at_most_100_a_second(self):
         self.giver.start()
         self.giver.resume()
-        with Latest('/clock', Clock) as clocks:
+        with Latest("/clock", Clock) as clocks:
             time.sleep(2.0)
             count = len(clocks.messages)
         self.giver.pause()
@@ -56,18 +56,19 @@ class ClockTest(unittest.TestCase):
         time.sleep(0.5)
         self.assertLessEqual(self.follower.state().frame, frame + 1)  # the clock stands still
         self.giver.resume()
-        self.follower.when(lambda s: s.frame > frame + 20, 'frames with the clock')
+        self.follower.when(lambda s: s.frame > frame + 20, "frames with the clock")
         self.giver.pause()
 
     def test_4_a_second_clock_stays_silent(self):
-        second = Node('/second')
-        status = second.diagnostic('clock', lambda s: s.level == 2)
-        self.assertIn('/giver publishes /clock already', status.message)
-        publishers = dict(rosgraph.Master('/clock_test').getSystemState()[0])['/clock']
-        self.assertEqual(publishers, ['/giver'])
-        self.assertEqual(self.giver.diagnostic('clock', lambda s: True).level, 0)
+        second = Node("/second")
+        status = second.diagnostic("clock", lambda s: s.level == 2)
+        self.assertIn("/giver publishes /clock already", status.message)
+        publishers = dict(rosgraph.Master("/clock_test").getSystemState()[0])["/clock"]
+        self.assertEqual(publishers, ["/giver"])
+        self.assertEqual(self.giver.diagnostic("clock", lambda s: True).level, 0)
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     import rostest
-    rostest.rosrun('ice_ice_baby', 'clock', ClockTest)
+
+    rostest.rosrun("ice_ice_baby", "clock", ClockTest)

@@ -18,16 +18,16 @@ CLIENTS, SUBSCRIBERS, FRAMES = 50, 10, 200
 class Flood(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        rospy.init_node('flood_test')
+        rospy.init_node("flood_test")
         cls.node = Node()
 
     def test_frames_go_on_and_every_call_is_answered(self):
         self.node.resume()
-        start = self.node.when(lambda s: s.frame > 5, 'frames')
-        with Latest('/sim/state', State) as states:
+        start = self.node.when(lambda s: s.frame > 5, "frames")
+        with Latest("/sim/state", State) as states:
             with Clients(self.node, CLIENTS) as clients:
-                end = self.node.when(lambda s: s.frame > start.frame + FRAMES, 'frames', 60.0)
-                states.wait(lambda s: s.frame > start.frame + FRAMES // 2, 'states')
+                end = self.node.when(lambda s: s.frame > start.frame + FRAMES, "frames", 60.0)
+                states.wait(lambda s: s.frame > start.frame + FRAMES // 2, "states")
             frames = [s.frame for s in states.messages]
         self.assertEqual(clients.failures, [])
         self.assertEqual(set(clients.refused) - {self.full()}, set())
@@ -38,23 +38,24 @@ class Flood(unittest.TestCase):
         # No frame was lost: each that ran has moved time by its own length.
         self.assertAlmostEqual(end.time_s, end.frame / 60.0, places=6)
         self.assertTrue(self.node.pause().success)
-        self.node.when(lambda s: s.paused, 'the pause')
+        self.node.when(lambda s: s.paused, "the pause")
 
     @staticmethod
     def full():
-        return '1000 commands wait for the frame under way to end; try again later'
+        return "1000 commands wait for the frame under way to end; try again later"
 
     def test_subscribers_that_never_read_cost_no_memory(self):
-        process = process_of('/sim')
+        process = process_of("/sim")
         self.node.start()
-        silent = [SilentSubscriber('/sim', '/sim/particles', PointCloud2)
-                  for _ in range(SUBSCRIBERS)]
-        self.node.when(lambda s: s.topics[0].subscribers >= SUBSCRIBERS, 'the subscribers')
-        with Latest('/sim/particles', PointCloud2) as clouds:
+        silent = [
+            SilentSubscriber("/sim", "/sim/particles", PointCloud2) for _ in range(SUBSCRIBERS)
+        ]
+        self.node.when(lambda s: s.topics[0].subscribers >= SUBSCRIBERS, "the subscribers")
+        with Latest("/sim/particles", PointCloud2) as clouds:
             before = memory_mb(process)
             sent = self.node.state().topics[0]
             self.node.resume()
-            self.node.when(lambda s: s.topics[0].messages > sent.messages + FRAMES, 'clouds', 60.0)
+            self.node.when(lambda s: s.topics[0].messages > sent.messages + FRAMES, "clouds", 60.0)
             now = self.node.pause() and self.node.state().topics[0]
             # Each of them has missed more than all its buffers may hold.
             self.assertGreater(len(clouds.messages), FRAMES // 2)
@@ -63,9 +64,10 @@ class Flood(unittest.TestCase):
         self.assertLess(memory_mb(process) - before, in_queues + 20.0)
         for subscriber in silent:
             subscriber.close()
-        self.node.when(lambda s: s.topics[0].subscribers <= 1, 'their end')
+        self.node.when(lambda s: s.topics[0].subscribers <= 1, "their end")
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     import rostest
-    rostest.rosrun('ice_ice_baby', 'flood', Flood)
+
+    rostest.rosrun("ice_ice_baby", "flood", Flood)

@@ -15,7 +15,7 @@ from iib.ros import master
 from iib.ros.program import find_simulation_node
 
 SIMULATION_NODE = find_simulation_node()
-SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'scenes')
+SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scenes")
 
 
 class Processes(unittest.TestCase):
@@ -33,8 +33,15 @@ class Processes(unittest.TestCase):
             child.communicate()
 
     def start(self, *command, stdin=None):
-        child = subprocess.Popen(command, env=self.env, stdin=stdin, stdout=subprocess.PIPE,
-                                 stderr=subprocess.STDOUT, text=True, start_new_session=True)
+        child = subprocess.Popen(
+            command,
+            env=self.env,
+            stdin=stdin,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            start_new_session=True,
+        )
         self.children.append(child)
         return child
 
@@ -44,20 +51,27 @@ class Processes(unittest.TestCase):
         return started
 
     def start_node(self, *parameters):
-        return self.start(SIMULATION_NODE, '__name:=sim', *('_' + p for p in parameters))
+        return self.start(SIMULATION_NODE, "__name:=sim", *("_" + p for p in parameters))
 
     def run_tool(self, *command):
-        return subprocess.run(command, env=self.env, timeout=20, check=False, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        return subprocess.run(
+            command,
+            env=self.env,
+            timeout=20,
+            check=False,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
 
     def state(self, timeout_s=20.0):
         deadline = time.monotonic() + timeout_s
         while time.monotonic() < deadline:
-            answer = self.run_tool('rosservice', 'call', '/sim/get_state')
+            answer = self.run_tool("rosservice", "call", "/sim/get_state")
             if answer.returncode == 0:
-                return yaml.safe_load(answer.stdout)['state']
+                return yaml.safe_load(answer.stdout)["state"]
             time.sleep(0.2)
-        self.fail('get_state does not answer: ' + answer.stdout)
+        self.fail("get_state does not answer: " + answer.stdout)
 
     def assert_refused(self, parameters, *words):
         node = self.start_node(*parameters)

@@ -15,17 +15,21 @@ from iib.ros.node import Node
 class Slow(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        rospy.init_node('slow_test')
+        rospy.init_node("slow_test")
 
     def test_services_do_not_wait_for_the_solver(self):
         node = Node()
-        state = node.when(lambda s: s.frame >= 1, 'a frame', 60.0)
+        state = node.when(lambda s: s.frame >= 1, "a frame", 60.0)
         self.assertGreater(state.particles, 200000)
         self.assertGreater(state.frame_wall_s, 0.2)
         times = []
         for k in range(20):
-            for call in (node.get_state, lambda: node.set_temperature(temperature=20.0 + k),
-                         lambda: node.step(frames=1), lambda: node.reset(scene='none')):
+            for call in (
+                node.get_state,
+                lambda: node.set_temperature(temperature=20.0 + k),
+                lambda: node.step(frames=1),
+                lambda: node.reset(scene="none"),
+            ):
                 start = time.monotonic()
                 call()
                 times.append(time.monotonic() - start)
@@ -34,10 +38,11 @@ class Slow(unittest.TestCase):
 
     def test_overload_is_a_warning(self):
         node = Node()
-        status = node.diagnostic('real time', lambda s: s.level == 1, 30.0)
-        self.assertIn('slower than requested', status.message)
+        status = node.diagnostic("real time", lambda s: s.level == 1, 30.0)
+        self.assertIn("slower than requested", status.message)
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     import rostest
-    rostest.rosrun('ice_ice_baby', 'slow', Slow)
+
+    rostest.rosrun("ice_ice_baby", "slow", Slow)

@@ -20,20 +20,38 @@ RUN_SCENE = sys.argv.pop()
 
 
 def outcome(status="ok", **report):
-    told = {"particles": 100, "steps": 10, "non_finite": 0, "escaped": 0, "speed_limited": 0, "correction_limited": 0,
-            "density_error_mean": 0.001, "error": {}, **report}
+    told = {
+        "particles": 100,
+        "steps": 10,
+        "non_finite": 0,
+        "escaped": 0,
+        "speed_limited": 0,
+        "correction_limited": 0,
+        "density_error_mean": 0.001,
+        "error": {},
+        **report,
+    }
     finite, inside = told["non_finite"] == 0, told["escaped"] == 0
     lived = status in ("ok", "unstable") and finite and inside
-    return types.SimpleNamespace(status=status, message="", report=told, survived=lambda: lived,
-                                 metric=lambda name: told["error"].get(name, float("nan")))
+    return types.SimpleNamespace(
+        status=status,
+        message="",
+        report=told,
+        survived=lambda: lived,
+        metric=lambda name: told["error"].get(name, float("nan")),
+    )
 
 
 class Verdict(unittest.TestCase):
     def test_four_words(self):
         self.assertEqual(verdict.verdict(outcome()), "stable")
         self.assertEqual(verdict.verdict(outcome("refused")), "refused")
-        for worse in ({"speed_limited": 1}, {"density_error_mean": 0.5}, {"error": {"energy_rise": 0.02}},
-                      {"correction_limited": 11}):
+        for worse in (
+            {"speed_limited": 1},
+            {"density_error_mean": 0.5},
+            {"error": {"energy_rise": 0.02}},
+            {"correction_limited": 11},
+        ):
             self.assertEqual(verdict.verdict(outcome(**worse)), "degraded", worse)
         for lost in ({"non_finite": 1}, {"escaped": 1}):
             self.assertEqual(verdict.verdict(outcome("unstable", **lost)), "unstable", lost)
@@ -55,7 +73,9 @@ class Ranges(unittest.TestCase):
     def test_of_every_kind_of_key(self):
         found = parse((ROOT / "config" / "default.yaml").read_text())
         self.assertEqual((found["duration_s"].low, found["duration_s"].high), (0, 1e6))
-        self.assertEqual((found["solver.warm_start"].low, found["solver.warm_start"].high), (0, 0.5))
+        self.assertEqual(
+            (found["solver.warm_start"].low, found["solver.warm_start"].high), (0, 0.5)
+        )
         self.assertTrue(found["gravity_m_s2"].vector)
         self.assertTrue(found["blocks.velocity_gradient_1_s"].matrix)
         self.assertEqual(found["containers.wall_m"].high, 10)
@@ -95,7 +115,10 @@ class Maps(unittest.TestCase):
 
     def test_the_default_of_a_key_is_known(self):
         found = parse((ROOT / "config" / "default.yaml").read_text())
-        usual = {name: MAPS[name].rows[0].usual(found) for name in ("gravity", "viscosity", "density", "impact")}
+        usual = {
+            name: MAPS[name].rows[0].usual(found)
+            for name in ("gravity", "viscosity", "density", "impact")
+        }
         self.assertEqual(usual, {"gravity": 9.81, "viscosity": 30, "density": 1000, "impact": None})
 
     def test_decades(self):
@@ -106,8 +129,15 @@ class LongRuns(unittest.TestCase):
     def test_growth_is_seen(self):
         import numpy as np
 
-        still = {name: np.ones(1000) for name in ("time per frame, ms", "height of the centre of mass, mm",
-                                                  "highest particle, mm", "rms speed, mm/s")}
+        still = {
+            name: np.ones(1000)
+            for name in (
+                "time per frame, ms",
+                "height of the centre of mass, mm",
+                "highest particle, mm",
+                "rms speed, mm/s",
+            )
+        }
         flat = long_runs.checks({**still, "resident memory, MiB": np.full(1000, 50.0)})
         grown = long_runs.checks({**still, "resident memory, MiB": np.linspace(50, 60, 1000)})
         self.assertTrue(all(check.passed() for check in flat))
@@ -139,8 +169,12 @@ class Document(unittest.TestCase):
             for folder, total in (("first", 0.5), ("last", 0.25)):
                 (here / folder).mkdir()
                 line = {"scene": "sheet", "substeps": 2, "total": total, "mechanical": 1.0}
-                results.Results(here / folder, {"commit": folder, "processor": "", "date": ""}).put("energy", {"sheet 2": line})
-            with unittest.mock.patch.object(document, "DOCUMENT", page), contextlib.redirect_stdout(None):
+                results.Results(here / folder, {"commit": folder, "processor": "", "date": ""}).put(
+                    "energy", {"sheet 2": line}
+                )
+            with unittest.mock.patch.object(document, "DOCUMENT", page), contextlib.redirect_stdout(
+                None
+            ):
                 document.write([here / "first", here / "last"])
             self.assertIn("commit last", page.read_text())
             self.assertIn("| sheet | 25 % | 100 % |", page.read_text())
@@ -154,23 +188,34 @@ class Program(unittest.TestCase):
         self.out = pathlib.Path(folder.name)
 
     def stability(self, *words):
-        return subprocess.run([ROOT / "scripts" / "stability", "--run-scene", RUN_SCENE, "--out", self.out, *words],
-                              capture_output=True, text=True, timeout=100)
+        return subprocess.run(
+            [ROOT / "scripts" / "stability", "--run-scene", RUN_SCENE, "--out", self.out, *words],
+            capture_output=True,
+            text=True,
+            timeout=100,
+        )
 
     def test_a_case_is_told_kept_and_not_run_again(self):
         done = self.stability("--case", "one_particle")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("pass  fastest: 0 <= 0 m/s", done.stdout)
-        line = json.loads((self.out / "stability.json").read_text())["cases"]["lines"]["one_particle"]
+        line = json.loads((self.out / "stability.json").read_text())["cases"]["lines"][
+            "one_particle"
+        ]
         self.assertEqual((line["number"], line["particles"], line["escaped"]), (14, 1, 0))
         kept = {path: path.stat().st_mtime_ns for path in self.out.glob("runs/*/outcome.json")}
         self.assertEqual(len(kept), 2)
         self.stability("--case", "one_particle")
-        self.assertEqual(kept, {path: path.stat().st_mtime_ns for path in self.out.glob("runs/*/outcome.json")})
+        self.assertEqual(
+            kept, {path: path.stat().st_mtime_ns for path in self.out.glob("runs/*/outcome.json")}
+        )
 
     def test_bad_input_is_said_in_a_line(self):
-        for words, clue in ((["--case", "one_partikle"], "one_particle"), (["--map", "steps"], "step, gravity"),
-                            (["--write", self.out], "stability.json")):
+        for words, clue in (
+            (["--case", "one_partikle"], "one_particle"),
+            (["--map", "steps"], "step, gravity"),
+            (["--write", self.out], "stability.json"),
+        ):
             done = self.stability(*words)
             self.assertEqual(done.returncode, 1, words)
             self.assertIn(clue, done.stderr)

@@ -32,12 +32,19 @@ class Grid(unittest.TestCase):
         self.assertEqual(grid.split_values("[0, 0, -9],[0, 0, 0]"), ["[0, 0, -9]", "[0, 0, 0]"])
 
     def test_knows_shorthands_as_keys_too(self):
-        self.assertEqual(grid.parse_grid({}, ["warm-start=0,0.5"]), {"solver.warm_start": ["0", "0.5"]})
+        self.assertEqual(
+            grid.parse_grid({}, ["warm-start=0,0.5"]), {"solver.warm_start": ["0", "0.5"]}
+        )
 
     def test_refuses_what_is_no_grid(self):
-        for texts, clue in ((["solver.substeps"], "key=v1"), (["k="], "empty value"), (["k=1,,2"], "empty"),
-                            (["k=1", "k=2"], "twice"), (["threads=0"], "1 to 1024"),
-                            (["precision=half"], "float or double")):
+        for texts, clue in (
+            (["solver.substeps"], "key=v1"),
+            (["k="], "empty value"),
+            (["k=1,,2"], "empty"),
+            (["k=1", "k=2"], "twice"),
+            (["threads=0"], "1 to 1024"),
+            (["precision=half"], "float or double"),
+        ):
             with self.subTest(texts=texts), self.assertRaisesRegex(Refusal, clue):
                 grid.parse_grid({}, texts)
 
@@ -57,13 +64,22 @@ class Front(unittest.TestCase):
 
 class Points(unittest.TestCase):
     def run_of(self, wall, status="ok", **point):
-        report = {"particles": 100, "simulated_time_s": 2.0, "wall_time_s": wall, "state_hash": "",
-                  "error": {"density_mean": 0.01}, "rms_speed_m_s": 0, "residual_speed_m_s": 0,
-                  "max_speed_m_s": 0, "settings": {"solver": {"substeps": 8}}, "threads": 2}
+        report = {
+            "particles": 100,
+            "simulated_time_s": 2.0,
+            "wall_time_s": wall,
+            "state_hash": "",
+            "error": {"density_mean": 0.01},
+            "rms_speed_m_s": 0,
+            "residual_speed_m_s": 0,
+            "max_speed_m_s": 0,
+            "settings": {"solver": {"substeps": 8}},
+            "threads": 2,
+        }
         return {"point": point, "status": status, "message": "", "report": report}
 
     def test_medians_and_spread(self):
-        row, = points.table([self.run_of(wall) for wall in (4.0, 2.0, 9.0)])
+        (row,) = points.table([self.run_of(wall) for wall in (4.0, 2.0, 9.0)])
         self.assertEqual((row["repeats"], row["wall_s_per_s"]), (3, 2.0))
         self.assertEqual((row["wall_s_per_s_min"], row["wall_s_per_s_max"]), (1.0, 4.5))
         self.assertEqual(row["us_per_particle_per_s"], 20000.0)
@@ -75,7 +91,7 @@ class Points(unittest.TestCase):
 
     def test_a_refused_point_stays(self):
         refused = {"point": {"a": "1"}, "status": "refused", "message": "no"}
-        row, = points.table([refused])
+        (row,) = points.table([refused])
         self.assertEqual((row["status"], row["message"], row["on_front"]), ("refused", "no", 0))
 
     def test_an_axis_that_a_point_does_not_set_shows_what_was_in_force(self):
@@ -91,19 +107,33 @@ class Points(unittest.TestCase):
 
 class Choices(unittest.TestCase):
     def row(self, substeps, cost, mean, largest, status="ok"):
-        return {"solver.substeps": substeps, "us_per_particle_per_s": cost, "density_mean": mean,
-                "density_max": largest, "status": status}
+        return {
+            "solver.substeps": substeps,
+            "us_per_particle_per_s": cost,
+            "density_mean": mean,
+            "density_max": largest,
+            "status": status,
+        }
 
     def setUp(self):
-        self.dam = [self.row("2", 20, 0.03, 0.2), self.row("8", 80, 0.002, 0.02), self.row("16", 160, 1e-4, 0.01)]
-        self.pool = [self.row("2", 30, 0.1, 0.9), self.row("8", 70, 0.01, 0.1),
-                     self.row("16", 150, 1e-3, 0.02, "unstable")]
+        self.dam = [
+            self.row("2", 20, 0.03, 0.2),
+            self.row("8", 80, 0.002, 0.02),
+            self.row("16", 160, 1e-4, 0.01),
+        ]
+        self.pool = [
+            self.row("2", 30, 0.1, 0.9),
+            self.row("8", 70, 0.01, 0.1),
+            self.row("16", 150, 1e-3, 0.02, "unstable"),
+        ]
         self.settings = choices.joined([self.dam, self.pool], ["solver.substeps"])
 
     def test_a_setting_is_judged_by_its_worst_scene(self):
         self.assertEqual([s["keys"]["solver.substeps"] for s in self.settings], ["2", "8"])
-        self.assertEqual([(s["cost"], s["error"], s["largest"]) for s in self.settings],
-                         [(30, 0.1, 0.9), (80, 0.01, 0.1)])
+        self.assertEqual(
+            [(s["cost"], s["error"], s["largest"]) for s in self.settings],
+            [(30, 0.1, 0.9), (80, 0.01, 0.1)],
+        )
 
     def test_more_particles_afford_less(self):
         self.assertEqual(choices.for_count(self.settings, 12_500)["keys"], {"solver.substeps": "8"})
@@ -118,7 +148,7 @@ class Choices(unittest.TestCase):
 
     def test_peers_are_met_in_the_mean_and_the_largest_error(self):
         peer = {"us_per_particle_per_s": 800, "mean_error_percent": 0.2, "max_error_percent": 2}
-        (_, best, ratio), = choices.against_peers(self.dam, [peer])
+        ((_, best, ratio),) = choices.against_peers(self.dam, [peer])
         self.assertEqual((best["solver.substeps"], ratio), ("8", 10))
         peer["max_error_percent"] = 1.5
         self.assertEqual(choices.against_peers(self.dam, [peer])[0][2], 5)
@@ -132,8 +162,10 @@ class Choices(unittest.TestCase):
         self.assertEqual([s["keys"]["solver.substeps"] for s in settings], ["2"])
 
     def test_a_setting_can_be_pasted(self):
-        self.assertEqual(choices.overrides({"solver.substeps": "8", "threads": "2"}),
-                         "--set solver.substeps=8 --threads 2")
+        self.assertEqual(
+            choices.overrides({"solver.substeps": "8", "threads": "2"}),
+            "--set solver.substeps=8 --threads 2",
+        )
 
 
 class Terminal:

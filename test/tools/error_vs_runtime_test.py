@@ -174,19 +174,25 @@ class Program(unittest.TestCase):
         bad_cell = self.folder / "bad.csv"
         bad_cell.write_text(PEERS.replace("609", "fast"))
         any_scene = ["--scene", "any"]
-        cases = [([], "--scene"), (["--scene", "none"], "no scene none"),
-                 ([*any_scene, "--repeats", "0"], "[1, 1000]"), ([*any_scene, "--repeats", "x"], "invalid int"),
-                 ([*any_scene, "--duration", "nan"], "--duration"), ([*any_scene, "--nonsense"], "--help"),
-                 ([*any_scene, "--grid", "solver.nonsense=1"], "no key solver.nonsense"),
-                 ([*any_scene, "--grid", "solver.substeps"], "key=v1"),
-                 ([*any_scene, "--substeps", "0"], "outside [1, 1000]"),
-                 ([*any_scene, "--set", "x"], "key=value"), ([*any_scene, "--no-run"], "--report"),
-                 ([*any_scene, "--fresh", "--resume"], "contradict"),
-                 ([*any_scene, "--peers", self.folder / "no.csv"], "cannot be read"),
-                 ([*any_scene, "--peers", table], "row 1 lacks setting"),
-                 ([*any_scene, "--peers", bad_cell], "fast must be a number above 0"),
-                 ([*any_scene, "--run-scene", self.folder / "no"], "is no program"),
-                 ([*any_scene, "--out", self.stub], "cannot be written")]
+        cases = [
+            ([], "--scene"),
+            (["--scene", "none"], "no scene none"),
+            ([*any_scene, "--repeats", "0"], "[1, 1000]"),
+            ([*any_scene, "--repeats", "x"], "invalid int"),
+            ([*any_scene, "--duration", "nan"], "--duration"),
+            ([*any_scene, "--nonsense"], "--help"),
+            ([*any_scene, "--grid", "solver.nonsense=1"], "no key solver.nonsense"),
+            ([*any_scene, "--grid", "solver.substeps"], "key=v1"),
+            ([*any_scene, "--substeps", "0"], "outside [1, 1000]"),
+            ([*any_scene, "--set", "x"], "key=value"),
+            ([*any_scene, "--no-run"], "--report"),
+            ([*any_scene, "--fresh", "--resume"], "contradict"),
+            ([*any_scene, "--peers", self.folder / "no.csv"], "cannot be read"),
+            ([*any_scene, "--peers", table], "row 1 lacks setting"),
+            ([*any_scene, "--peers", bad_cell], "fast must be a number above 0"),
+            ([*any_scene, "--run-scene", self.folder / "no"], "is no program"),
+            ([*any_scene, "--out", self.stub], "cannot be written"),
+        ]
         for words, clue in cases:
             with self.subTest(words=words):
                 self.assertIn(clue, self.refused(*words))
@@ -213,17 +219,39 @@ class Program(unittest.TestCase):
             folder = self.out / study.name
             folder.mkdir(parents=True)
             (folder / "campaign.json").write_text(
-                json.dumps({"scene": study.scene, "duration_s": study.duration_s, "set": list(study.fixed)}))
+                json.dumps(
+                    {"scene": study.scene, "duration_s": study.duration_s, "set": list(study.fixed)}
+                )
+            )
             with (folder / "runs.jsonl").open("w") as file:
                 for substeps in (4, 8):
-                    report = {"particles": 1000, "simulated_time_s": 1, "wall_time_s": 0.01 * substeps,
-                              "error": {"density_mean": 0.04 / substeps, "density_max": 0.4 / substeps},
-                              "settings": {}, "state_hash": "", "rms_speed_m_s": 1, "residual_speed_m_s": 1,
-                              "max_speed_m_s": 1}
+                    report = {
+                        "particles": 1000,
+                        "simulated_time_s": 1,
+                        "wall_time_s": 0.01 * substeps,
+                        "error": {"density_mean": 0.04 / substeps, "density_max": 0.4 / substeps},
+                        "settings": {},
+                        "state_hash": "",
+                        "rms_speed_m_s": 1,
+                        "residual_speed_m_s": 1,
+                        "max_speed_m_s": 1,
+                    }
                     point = {"threads": "2", "solver.substeps": str(substeps)}
-                    file.write(json.dumps({
-                        "point": point, "status": "ok", "message": "", "seconds": 3, "program": "p",
-                        "commit": "c0ffee", "date": "2026-01-02 03:04 UTC", "report": report}) + "\n")
+                    file.write(
+                        json.dumps(
+                            {
+                                "point": point,
+                                "status": "ok",
+                                "message": "",
+                                "seconds": 3,
+                                "program": "p",
+                                "commit": "c0ffee",
+                                "date": "2026-01-02 03:04 UTC",
+                                "report": report,
+                            }
+                        )
+                        + "\n"
+                    )
 
     def test_report_is_written_from_what_was_measured(self):
         self.finish_report()
@@ -237,7 +265,13 @@ class Program(unittest.TestCase):
         self.assertIn("| 1 | 4 substeps | 40 | 25,000 |", text)
         self.assertIn("| Other DFSPH tol 1 % | 609 |", text)
         self.assertIn("c0ffee", text)
-        for name in ("dam_break_error", "dam_break_metrics", "column_error", "splash_error", "ice_error"):
+        for name in (
+            "dam_break_error",
+            "dam_break_metrics",
+            "column_error",
+            "splash_error",
+            "ice_error",
+        ):
             self.assertIn(f"images/error_vs_runtime_{name}.png", text)
             picture = self.folder / "doc" / "images" / f"error_vs_runtime_{name}.png"
             self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
@@ -247,17 +281,39 @@ class Program(unittest.TestCase):
 
     def test_runs_the_real_program_with_a_reference(self):
         scene = self.folder / "tiny.yaml"
-        scene.write_text(textwrap.dedent("""\
+        scene.write_text(
+            textwrap.dedent(
+                """\
             fluid: {spacing_m: 0.05}
             blocks: [{min_m: [-0.1, -0.1, 0], max_m: [0.1, 0.1, 0.2]}]
             containers: [{name: tank, size_m: [0.4, 0.2, 0.4]}]
-            """))
-        self.go("--scene", scene, "--duration", 0.1, "--substeps", "2,8", "--threads", 1, "--repeats", 1,
-                "--trajectory", 0.1, "--trajectory-substeps", 16, "--run-scene", RUN_SCENE)
+            """
+            )
+        )
+        self.go(
+            "--scene",
+            scene,
+            "--duration",
+            0.1,
+            "--substeps",
+            "2,8",
+            "--threads",
+            1,
+            "--repeats",
+            1,
+            "--trajectory",
+            0.1,
+            "--trajectory-substeps",
+            16,
+            "--run-scene",
+            RUN_SCENE,
+        )
         few, many = self.rows()
         self.assertEqual((few["particles"], few["threads"]), ("64", "1"))
         self.assertLess(float(many["density_mean"]), float(few["density_mean"]))
-        self.assertLess(float(many["apart_spacings_at_0.10_s"]), float(few["apart_spacings_at_0.10_s"]))
+        self.assertLess(
+            float(many["apart_spacings_at_0.10_s"]), float(few["apart_spacings_at_0.10_s"])
+        )
         self.assertTrue((self.out / "reference.npy").exists())
         self.assertFalse((self.out / "record.npy").exists())
 

@@ -18,17 +18,24 @@ class RunSceneCase(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
         self.scene = self.folder / "small.yaml"
-        self.scene.write_text(f"""name: small
+        self.scene.write_text(
+            f"""name: small
 duration_s: {self.DURATION_S}
 fluid: {{spacing_m: 0.05}}
 blocks: [{{min_m: [-0.15, -0.15, 0.05], max_m: [0.15, 0.15, 0.3]}}]
 containers: [{{name: tank, size_m: [0.4, 0.4, 0.4], open_top: false}}]
 {self.SCHEDULE}
-""")
+"""
+        )
 
     def run_scene(self, *words, **environment):
-        return subprocess.run([RUN_SCENE, *map(str, words)], text=True, capture_output=True,
-                              env={**os.environ, **environment}, timeout=60)
+        return subprocess.run(
+            [RUN_SCENE, *map(str, words)],
+            text=True,
+            capture_output=True,
+            env={**os.environ, **environment},
+            timeout=60,
+        )
 
     def refused(self, *words):
         result = self.run_scene(*words)

@@ -10,15 +10,18 @@ from run_scene_case import RUN_SCENE, RunSceneCase
 
 class Checkpoints(RunSceneCase):
     DURATION_S = 4
-    SCHEDULE = "schedule: [{at_s: 1, celsius: -10, ramp_s: 0.5}, {at_s: 2, celsius: 20, ramp_s: 0.5}]"
+    SCHEDULE = (
+        "schedule: [{at_s: 1, celsius: -10, ramp_s: 0.5}, {at_s: 2, celsius: 20, ramp_s: 0.5}]"
+    )
 
     def setUp(self):
         super().setUp()
         self.checkpoint = self.folder / "run.ckpt"
 
     def start(self, *words):
-        process = subprocess.Popen([RUN_SCENE, *map(str, words)], text=True,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        process = subprocess.Popen(
+            [RUN_SCENE, *map(str, words)], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+        )
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         return process
@@ -40,13 +43,20 @@ class Checkpoints(RunSceneCase):
     def test_a_run_in_two_parts_is_the_run_in_one(self):
         for precision in ("float", "double"):
             whole = self.report(self.scene, "--duration", 2, "--precision", precision)
-            self.report(self.scene, "--duration", 1.5, "--precision", precision,
-                        "--save", self.checkpoint)
+            self.report(
+                self.scene, "--duration", 1.5, "--precision", precision, "--save", self.checkpoint
+            )
             for threads in (1, 2):
-                rest = self.report("--load", self.checkpoint, "--duration", 2,
-                                   "--threads", threads)
-                for key in ("state_hash", "simulated_time_s", "frames", "kinetic_energy_j",
-                            "springs", "precision", "temperature_c"):
+                rest = self.report("--load", self.checkpoint, "--duration", 2, "--threads", threads)
+                for key in (
+                    "state_hash",
+                    "simulated_time_s",
+                    "frames",
+                    "kinetic_energy_j",
+                    "springs",
+                    "precision",
+                    "temperature_c",
+                ):
                     self.assertEqual(rest[key], whole[key], key)
                 self.assertEqual(rest["error"], {}, "metrics are those of whole runs")
 
@@ -73,8 +83,9 @@ class Checkpoints(RunSceneCase):
 
     def test_asked_to_stop_it_saves_and_says_how_to_go_on(self):
         for number in (signal.SIGTERM, signal.SIGINT):
-            process = self.start(self.scene, "--save", self.checkpoint, "--autosave", 0.02,
-                                 "--duration", 100000)
+            process = self.start(
+                self.scene, "--save", self.checkpoint, "--autosave", 0.02, "--duration", 100000
+            )
             self.wait_for_a_checkpoint(process)
             process.send_signal(number)
             _, said = process.communicate(timeout=60)
@@ -85,8 +96,15 @@ class Checkpoints(RunSceneCase):
     def test_an_unstable_end_leaves_the_older_checkpoint(self):
         self.report(self.scene, "--duration", 0.1, "--save", self.checkpoint)
         older = self.checkpoint.read_bytes()
-        result = self.run_scene(self.scene, "--set", "solver.max_speed_m_s=0.01",
-                                "--duration", 0.2, "--save", self.checkpoint)
+        result = self.run_scene(
+            self.scene,
+            "--set",
+            "solver.max_speed_m_s=0.01",
+            "--duration",
+            0.2,
+            "--save",
+            self.checkpoint,
+        )
         self.assertEqual(result.returncode, 2)
         self.assertEqual(self.checkpoint.read_bytes(), older)
 
@@ -96,19 +114,21 @@ class Checkpoints(RunSceneCase):
         short = self.folder / "short.ckpt"
         short.write_bytes(self.checkpoint.read_bytes()[:-100])
         nowhere = self.folder / "no" / "run.ckpt"
-        cases = [([*load, self.scene], "a scene contradict"),
-                 ([*load, "--set", "solver.iterations=3"], "--set contradict"),
-                 ([*load, "--preset", "paper"], "--preset contradict"),
-                 ([*load, "--quality", "fast"], "--quality contradict"),
-                 ([*load, "--precision", "double"], "--precision contradict"),
-                 (["--load", short], "short.ckpt: truncated"),
-                 (["--load", self.scene], "small.yaml: not a checkpoint"),
-                 (["--load", nowhere], "no checkpoint"),
-                 ([self.scene, "--autosave", 1], "--autosave needs --save"),
-                 ([self.scene, "--save", self.checkpoint, "--autosave", "-1"], "--autosave"),
-                 ([self.scene, "--save", nowhere], f"{nowhere}: No such file"),
-                 ([self.scene, "--save", self.folder], "is not a file"),
-                 ([self.scene, "--save", "/dev/full"], "/dev/full")]
+        cases = [
+            ([*load, self.scene], "a scene contradict"),
+            ([*load, "--set", "solver.iterations=3"], "--set contradict"),
+            ([*load, "--preset", "paper"], "--preset contradict"),
+            ([*load, "--quality", "fast"], "--quality contradict"),
+            ([*load, "--precision", "double"], "--precision contradict"),
+            (["--load", short], "short.ckpt: truncated"),
+            (["--load", self.scene], "small.yaml: not a checkpoint"),
+            (["--load", nowhere], "no checkpoint"),
+            ([self.scene, "--autosave", 1], "--autosave needs --save"),
+            ([self.scene, "--save", self.checkpoint, "--autosave", "-1"], "--autosave"),
+            ([self.scene, "--save", nowhere], f"{nowhere}: No such file"),
+            ([self.scene, "--save", self.folder], "is not a file"),
+            ([self.scene, "--save", "/dev/full"], "/dev/full"),
+        ]
         for words, clue in cases:
             with self.subTest(words=words):
                 self.assertIn(clue, self.refused(*words))

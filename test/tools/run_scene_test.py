@@ -52,37 +52,62 @@ class RunScene(RunSceneCase):
         self.assertNotIn(self.report("--set", "solver.substeps=9")["state_hash"], hashes)
 
     def test_preset_duration_and_overrides_hold(self):
-        report = self.report("--duration", 0.05, "--preset", "paper", "--set", "solver.substeps=2",
-                             "--set", "temperature.initial_c=-5")
+        report = self.report(
+            "--duration",
+            0.05,
+            "--preset",
+            "paper",
+            "--set",
+            "solver.substeps=2",
+            "--set",
+            "temperature.initial_c=-5",
+        )
         self.assertEqual(report["preset"], "paper")
         self.assertEqual(report["steps"], 6)
         self.assertGreater(report["springs"], 0)
 
     def test_bad_input_is_one_line_that_says_what(self):
-        cases = [(["no_such_scene"], "no_such_scene"), (["dam_brake"], "did you mean dam_break"),
-                 ([], "name a scene"), ([self.folder / "none.yaml"], "none.yaml"),
-                 ([self.scene, "--set", "solver.iteration=3"], "solver.iterations"),
-                 ([self.scene, "--set", "solver.iterations"], "key=value"),
-                 ([self.scene, "--set", "solver.iterations=x"], "must be a number"),
-                 ([self.scene, "--set", "solver.substeps=-1"], "[0, 1000]"),
-                 ([self.scene, "--precision", "half"], "float or double"),
-                 ([self.scene, "--preset", "fast"], "default, paper"),
-                 ([self.scene, "--quality", "best"], "fast, balanced, accurate"),
-                 ([self.scene, "--threads", "-1"], "threads"),
-                 ([self.scene, "--duration", "nan"], "--duration"),
-                 ([self.scene, "--duration", "-3"], "--duration"),
-                 ([self.scene, "--frames-hz", "0"], "--frames-hz"),
-                 ([self.scene, "--sample-hz", "-1"], "--sample-hz"),
-                 ([self.scene, "--report", self.folder / "no" / "r.json"], "report"),
-                 ([self.scene, "--series", self.folder / "no" / "s.csv"], "series"),
-                 ([self.scene, "--particles", self.folder / "no" / "p.csv"], "particles"),
-                 ([self.scene, "--record", self.folder / "no" / "r.npy"], "record"),
-                 ([self.scene, "--frames", self.scene], "small.yaml"),
-                 ([self.scene, "--record", self.folder / "r.npy", "--duration", "1e6", "--set",
-                   "solver.frame_rate_hz=10000"], "MB free; lower --sample-hz or --duration"),
-                 ([self.scene, "--frames", self.folder, "--duration", "1e6"],
-                  "3e+07 pictures, more than 1e+05"),
-                 (["/dev/zero"], "device or a pipe"), ([self.folder], "is a folder")]
+        cases = [
+            (["no_such_scene"], "no_such_scene"),
+            (["dam_brake"], "did you mean dam_break"),
+            ([], "name a scene"),
+            ([self.folder / "none.yaml"], "none.yaml"),
+            ([self.scene, "--set", "solver.iteration=3"], "solver.iterations"),
+            ([self.scene, "--set", "solver.iterations"], "key=value"),
+            ([self.scene, "--set", "solver.iterations=x"], "must be a number"),
+            ([self.scene, "--set", "solver.substeps=-1"], "[0, 1000]"),
+            ([self.scene, "--precision", "half"], "float or double"),
+            ([self.scene, "--preset", "fast"], "default, paper"),
+            ([self.scene, "--quality", "best"], "fast, balanced, accurate"),
+            ([self.scene, "--threads", "-1"], "threads"),
+            ([self.scene, "--duration", "nan"], "--duration"),
+            ([self.scene, "--duration", "-3"], "--duration"),
+            ([self.scene, "--frames-hz", "0"], "--frames-hz"),
+            ([self.scene, "--sample-hz", "-1"], "--sample-hz"),
+            ([self.scene, "--report", self.folder / "no" / "r.json"], "report"),
+            ([self.scene, "--series", self.folder / "no" / "s.csv"], "series"),
+            ([self.scene, "--particles", self.folder / "no" / "p.csv"], "particles"),
+            ([self.scene, "--record", self.folder / "no" / "r.npy"], "record"),
+            ([self.scene, "--frames", self.scene], "small.yaml"),
+            (
+                [
+                    self.scene,
+                    "--record",
+                    self.folder / "r.npy",
+                    "--duration",
+                    "1e6",
+                    "--set",
+                    "solver.frame_rate_hz=10000",
+                ],
+                "MB free; lower --sample-hz or --duration",
+            ),
+            (
+                [self.scene, "--frames", self.folder, "--duration", "1e6"],
+                "3e+07 pictures, more than 1e+05",
+            ),
+            (["/dev/zero"], "device or a pipe"),
+            ([self.folder], "is a folder"),
+        ]
         for words, clue in cases:
             with self.subTest(words=words):
                 self.assertIn(clue, self.refused(*words))
@@ -99,8 +124,9 @@ class RunScene(RunSceneCase):
         self.assertIn("unstable", result.stderr)
 
     def test_corrections_that_were_cut_are_warned_of_once_they_are_many(self):
-        cut = self.run_scene(self.scene, "--set", "solver.max_correction_h=0.001", "--set",
-                             "solver.substeps=1")
+        cut = self.run_scene(
+            self.scene, "--set", "solver.max_correction_h=0.001", "--set", "solver.substeps=1"
+        )
         self.assertEqual(cut.returncode, 0, cut.stderr)
         self.assertIn("solver.max_correction_h = 0.001 cut ", cut.stderr)
         self.assertIn("raise solver.substeps", cut.stderr)
@@ -108,7 +134,8 @@ class RunScene(RunSceneCase):
         few = self.report("--set", "solver.max_correction_h=0.05")
         self.assertLessEqual(few["correction_limited"], 0.01 * 180 * few["steps"])
         self.assertEqual(
-            self.run_scene(self.scene, "--set", "solver.max_correction_h=0.05").stderr, "")
+            self.run_scene(self.scene, "--set", "solver.max_correction_h=0.05").stderr, ""
+        )
 
     def test_pictures_are_png(self):
         pictures = self.folder / "pictures"
@@ -134,31 +161,44 @@ class RunScene(RunSceneCase):
         result = self.run_scene(self.scene, option, path, *words)
         self.assertEqual(result.returncode, 0, result.stderr)
         with path.open(newline="") as file:
-            return [{name: float(value) for name, value in row.items()}
-                    for row in csv.DictReader(file)]
+            return [
+                {name: float(value) for name, value in row.items()} for row in csv.DictReader(file)
+            ]
 
     def test_series_has_the_start_and_every_frame(self):
         rows = self.table("--series")
         self.assertEqual(len(rows), 7)
-        self.assertEqual((rows[0]["time_s"], rows[0]["wall_s"], rows[0]["rms_speed_m_s"]), (0, 0, 0))
+        self.assertEqual(
+            (rows[0]["time_s"], rows[0]["wall_s"], rows[0]["rms_speed_m_s"]), (0, 0, 0)
+        )
         self.assertAlmostEqual(rows[-1]["time_s"], 0.1)
         for row in rows[1:]:
             self.assertGreater(row["wall_s"], 0)
-            self.assertAlmostEqual(row["total_energy_j"],
-                                   row["kinetic_energy_j"] + row["potential_energy_j"] +
-                                   row["elastic_energy_j"])
-        for name in ("density_error_mean", "own_density_error_max", "temperature_c", "strictness",
-                     "springs"):
+            self.assertAlmostEqual(
+                row["total_energy_j"],
+                row["kinetic_energy_j"] + row["potential_energy_j"] + row["elastic_energy_j"],
+            )
+        for name in (
+            "density_error_mean",
+            "own_density_error_max",
+            "temperature_c",
+            "strictness",
+            "springs",
+        ):
             self.assertIn(name, rows[0])
 
     def test_samples_thin_series_and_record(self):
         record = self.folder / "record.npy"
         rows = self.table("--series", "--sample-hz", 20, "--record", record)
-        self.assertEqual([round(row["time_s"], 6) for row in rows], [0, 0.05, 0.1], "every third frame")
+        self.assertEqual(
+            [round(row["time_s"], 6) for row in rows], [0, 0.05, 0.1], "every third frame"
+        )
         self.assertEqual(len(numpy.load(record)), 3)
         self.assertGreater(rows[1]["resident_bytes"], 1e6)
         odd = self.table("--series", "--sample-hz", 15)
-        self.assertEqual([round(60 * row["time_s"]) for row in odd], [0, 4, 6], "the last frame always")
+        self.assertEqual(
+            [round(60 * row["time_s"]) for row in odd], [0, 4, 6], "the last frame always"
+        )
 
     def test_the_fastest_of_all_frames_is_told(self):
         report = self.report()
@@ -202,8 +242,18 @@ class RunScene(RunSceneCase):
     def test_report_has_the_faces_that_the_scene_has_and_the_settings_in_force(self):
         report = self.report("--set", "solver.substeps=5")
         metrics = report["error"]
-        self.assertLessEqual({"density_mean", "density_max", "own_density_mean", "own_density_max",
-                              "volume_lost", "energy_drift", "energy_rise"}, set(metrics))
+        self.assertLessEqual(
+            {
+                "density_mean",
+                "density_max",
+                "own_density_mean",
+                "own_density_max",
+                "volume_lost",
+                "energy_drift",
+                "energy_rise",
+            },
+            set(metrics),
+        )
         self.assertNotIn("column_height_m", metrics, "the block falls")
         self.assertNotIn("ice_drift_spacings", metrics, "water only")
         self.assertAlmostEqual(metrics["density_mean"], report["density_error_mean"])

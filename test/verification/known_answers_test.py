@@ -16,7 +16,9 @@ class KnownAnswers(unittest.TestCase):
             velocity -= known.GRAVITY_M_S2 * step
             position += velocity * step
         self.assertAlmostEqual(known.symplectic_fall(5.0, 2.0, 1.0, step), position, 12)
-        self.assertAlmostEqual(known.symplectic_fall(5.0, 2.0, 1.0, 0.0), known.parabola(5.0, 2.0, 1.0), 12)
+        self.assertAlmostEqual(
+            known.symplectic_fall(5.0, 2.0, 1.0, 0.0), known.parabola(5.0, 2.0, 1.0), 12
+        )
 
     def test_fall_time_is_where_the_parabola_lands(self):
         self.assertAlmostEqual(known.parabola(3.0, 0.0, known.fall_time(3.0)), 0.0, 12)
@@ -27,7 +29,9 @@ class KnownAnswers(unittest.TestCase):
         np.testing.assert_allclose(axes[:, 0] * axes[:, 1], 1.0, atol=1e-9)
 
     def test_the_patch_scales_with_its_rate(self):
-        np.testing.assert_allclose(known.elliptical_patch(4.0, [0.25]), known.elliptical_patch(1.0, [1.0]), atol=1e-9)
+        np.testing.assert_allclose(
+            known.elliptical_patch(4.0, [0.25]), known.elliptical_patch(1.0, [1.0]), atol=1e-9
+        )
 
     def test_measured_dams_run_forwards_and_agree_with_each_other(self):
         for times, fronts in known.MARTIN_MOYCE.values():

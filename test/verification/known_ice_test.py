@@ -41,8 +41,13 @@ class KnownIce(unittest.TestCase):
             return -10.0 + 10.0 * math.erf(x / own) / math.erf(front / own)
 
         step = 1e-6 * front
-        into = 2.0 * (ice_c(front) - ice_c(front - step)) / step - 2.0 * (water_c(front + step) - water_c(front)) / step
-        self.assertAlmostEqual(into / (917.0 * ice.latent_heat_fusion_j_kg * front / (2.0 * time)), 1.0, 4)
+        into = (
+            2.0 * (ice_c(front) - ice_c(front - step)) / step
+            - 2.0 * (water_c(front + step) - water_c(front)) / step
+        )
+        self.assertAlmostEqual(
+            into / (917.0 * ice.latent_heat_fusion_j_kg * front / (2.0 * time)), 1.0, 4
+        )
 
     def test_a_lattice_stands_as_high_as_its_cells(self):
         heights = np.repeat((np.arange(15) + 0.5) * 0.02, 400)

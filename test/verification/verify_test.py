@@ -12,7 +12,9 @@ VERIFY = sys.argv.pop()
 
 class Verify(unittest.TestCase):
     def verify(self, *words):
-        return subprocess.run([VERIFY, *words, "--run-scene", RUN_SCENE], capture_output=True, text=True, timeout=100)
+        return subprocess.run(
+            [VERIFY, *words, "--run-scene", RUN_SCENE], capture_output=True, text=True, timeout=100
+        )
 
     def test_bounds_that_hold_are_told_with_what_was_measured(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -34,16 +36,20 @@ class Verify(unittest.TestCase):
         self.assertIn(" do not", done.stdout)
 
     def test_bad_input_is_said_in_a_line(self):
-        for words, clue in ((["--case", "free_fal"], "free_fall"),
-                            (["--case", "free_fall", "--set", "solver.substep=4"], "solver.substeps"),
-                            (["--case", "free_fall", "--preset", "fast"], "default, paper")):
+        for words, clue in (
+            (["--case", "free_fal"], "free_fall"),
+            (["--case", "free_fall", "--set", "solver.substep=4"], "solver.substeps"),
+            (["--case", "free_fall", "--preset", "fast"], "default, paper"),
+        ):
             done = self.verify(*words)
             self.assertEqual(done.returncode, 1, words)
             self.assertIn(clue, done.stderr)
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
 
     def test_a_program_that_is_not_there(self):
-        done = subprocess.run([VERIFY, "--run-scene", "/no/run_scene"], capture_output=True, text=True)
+        done = subprocess.run(
+            [VERIFY, "--run-scene", "/no/run_scene"], capture_output=True, text=True
+        )
         self.assertEqual(done.returncode, 1)
         refusal = "--run-scene /no/run_scene is no program; build it with scripts/build"
         self.assertEqual(done.stderr.strip(), f"scripts/verify: {refusal}")
