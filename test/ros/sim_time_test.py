@@ -18,7 +18,7 @@ BALL = "ice_ice_baby/scene/ball"
 
 
 class Ticker:
-    """Publishes /clock from `start_s` on, and the frame `hand`, 100 times per second of wall time."""
+    """Publishes /clock from `start_s` on, and the frame `hand`, at 100 Hz of wall time."""
 
     def __init__(self, start_s, hand_x):
         self.now_s = start_s
