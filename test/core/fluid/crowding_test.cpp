@@ -18,7 +18,7 @@ void expectWhole(const Simulation& simulation, std::size_t particles) {
 }
 
 TEST(CrowdingTest, ATankTwentyTimesTooFullLosesNothingAtTenThousandMetresPerSecondSquared) {
-  Scene scene = test::fullTank(5);
+  Scene scene = test::fullTank(4);
   scene.blocks.assign(20, scene.blocks[0]);
   for (int k = 0; k < 20; ++k) {
     scene.blocks[k].rpy_deg = {0, 0, k % 4 * 90.0};

@@ -66,7 +66,7 @@ void flashFreeze(Simulation& simulation, double water_kg) {
 
 TEST(IceInMotionTest, FreezingInMidSplashKeepsBothMomentaAndMakesNothingFaster) {
   const Scene scene = splashInSpace();
-  Simulator<float> simulator(scene, 2);
+  Simulator<float> simulator(scene, 1);
   const double mass = particleMass_kg(scene.fluid, scene.supportRadius_m());
   for (int frame = 0; frame < 18; ++frame) simulator.advanceFrame();
   const Motion3 before = motionOf(simulator.particles(), mass);
@@ -134,7 +134,7 @@ double freezing_j_kg(const ThermalParams& thermal) {
 }
 
 TEST(IceInMotionTest, WaterInABasinSwellsByNinePercentAndShrinksBack) {
-  Simulator<float> simulator(basin(), 2);
+  Simulator<float> simulator(basin(), 1);
   run(simulator, 2.0);
   const double water = meanHeight(simulator.particles());
   const double heat_j_kg = freezing_j_kg(simulator.scene().thermal);

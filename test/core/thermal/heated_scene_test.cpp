@@ -18,7 +18,7 @@ void run(Simulation& simulation, int frames) {
 
 TEST(SteamTest, WaterBoilsRisesCondensesOnTheLidAndFallsBack) {
   const Scene scene = kettle();
-  Simulator<float> simulator(scene, 2);
+  Simulator<float> simulator(scene, 1);
   std::size_t max_steam = 0, condensed = 0, before = 0;
   float highest = 0;
   std::vector<ParticleSample> samples;
@@ -203,7 +203,7 @@ TEST(HeatedExtremesTest, NothingBecomesNotFiniteOrEscapes) {
     SCOPED_TRACE(name);
     Scene scene = iceInKettle();
     change(scene);
-    const auto simulation = test::unchecked(scene, 2);
+    const auto simulation = test::unchecked(scene, 1);
     run(*simulation, 90);
     std::vector<ParticleSample> samples;
     simulation->sample(samples);

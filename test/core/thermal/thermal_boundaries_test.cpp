@@ -143,6 +143,21 @@ TEST(ThermalBoundariesTest, EnthalpyChangesByTheHeatOfWallsAndAir) {
   EXPECT_NEAR(still.heat.totalEnthalpy_j() - before, still.heat.heatIn_j(), 1e-10 * before);
 }
 
+TEST(ThermalBoundariesTest, AWallConductsInProportionToTheVolumeOfAParticle) {
+  const auto heatAt = [](double relative_volume) {
+    StillHeat<double> still(plate(ThermalBoundary::kTemperature));
+    const std::vector<double> volume(still.particles.size(), relative_volume);
+    ThermalStep<double> step;
+    step.volume = &volume;
+    step.dt_s = 1e-3;
+    still.heat.advance(still.particles, still.neighbours, step);
+    EXPECT_EQ(still.heat.passes(), 1);
+    return still.heat.heatIn_j();
+  };
+  EXPECT_GT(heatAt(1.0), 0.0);
+  EXPECT_NEAR(heatAt(1.09) / heatAt(1.0), 1.09, 1e-9);
+}
+
 /// Between a warm wall and a cold one the profile is straight and the flux k dT / thickness.
 TEST(ThermalBoundariesTest, SlabBetweenTwoWallsHasAStraightProfile) {
   Scene scene = test::coldColumn(3, 8, kSpacing_m, 20.0);
