@@ -46,7 +46,7 @@ void Particles<Real>::settle(std::size_t count) {
 }
 
 template <class Real>
-void DensityConstraint<Real>::settle(std::size_t particles) {
+void DensityConstraint<Real>::restore(std::size_t particles) {
   const std::size_t started = warmStarts() ? particles : 0;
   requireSense(density_.size() == particles && multiplier_.size() == particles &&
                    holds(correction_, started),
@@ -161,7 +161,7 @@ void Simulator<Real>::settle() {
   std::size_t spawned = 0;
   for (const Spawn& spawn : spawns_) spawned += spawn.count;
   particles_.settle(spawned);
-  density_->settle(n);
+  fluid_->restore(n);
   colliders_.settle();
   requireSense(substeps_ >= 1 && substeps_ <= 1000, "a number of substeps that cannot be");
   requireSense(within(strictness_, 0.0, 1.0), "ice that is more than frozen");

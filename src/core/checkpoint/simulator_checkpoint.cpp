@@ -13,7 +13,7 @@ static_assert(sizeof(void*) != 8 || sizeof(StepReport) == 208, "list the member 
 template <class Real>
 template <class Self, class Archive>
 void Simulator<Real>::exchange(Self& self, Archive& archive) {
-  archive(self.particles_, self.neighbours_, self.temperature_, self.colliders_, *self.density_);
+  archive(self.particles_, self.neighbours_, self.temperature_, self.colliders_, *self.fluid_);
   archive.optional(self.springs_, self.scene_.springs);
   archive.optional(self.bodies_, self.scene_);
   archive.optional(self.contacts_, self.scene_);

@@ -46,17 +46,11 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
       substeps_(scene.substeps()) {
   scene_.solver.substeps = substeps_;  // so that scene() tells what is in force
   scene_.solver.relaxation = scene.relaxation();
-  const double volume_m3 = particleVolume_m3(scene.fluid, scene.supportRadius_m());
-  if (scene.fluid.boundary_density && !colliders_.empty()) {
-    walls_.emplace(scene, colliders_, volume_m3);
-  }
   if (scene.thermal.enabled) {
     heat_.emplace(scene, spawns_, colliders_);
     phases_.emplace(scene, particles_.size());
   }
-  const Phases<Real>* phases = phases_ ? &*phases_ : nullptr;
-  density_.emplace(scene, walls_ ? &*walls_ : nullptr, phases);
-  if (scene.solver.viscosity_1_s > 0.0 || phases) viscosity_.emplace(scene, volume_m3, phases);
+  fluid_.emplace(scene, colliders_, phases_ ? &*phases_ : nullptr);
   updateTemperature(0.0);
   arena_.execute([&] {
     findNeighbours();
@@ -65,7 +59,7 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
     joinSheets();
     if (heat_) beginPhases();
     if (!colliders_.empty()) expel();
-    density_->computeLambda(particles_, neighbours_);
+    fluid_->updateDensity(particles_, neighbours_);
     updateReport();
   });
 }
@@ -99,14 +93,14 @@ void Simulator<Real>::runSubsteps() {
     return bodies_ ? bodies_->limited() + contacts_->limited() : 0;
   };
   const std::uint64_t limited_before = bodiesLimited();
-  const std::uint64_t cut_before = density_->limited();
+  const std::uint64_t cut_before = fluid_->correctionsLimited();
   if (colliders_moving_) jumpColliders();
   for (int k = 0; k < substeps_; ++k) {
     if (colliders_moving_) colliders_.setSubstep(double(k) / substeps_, double(k + 1) / substeps_);
     substep(1.0 / (scene_.solver.frame_rate_hz * substeps_));
   }
   report_.speed_limited += bodiesLimited() - limited_before;
-  report_.correction_limited = density_->limited() - cut_before;
+  report_.correction_limited = fluid_->correctionsLimited() - cut_before;
   if (!colliders_moving_) return;
   colliders_.endFrame();
   colliders_.setSubstep(1.0, 1.0);
@@ -123,8 +117,7 @@ void Simulator<Real>::substep(double dt_s) {
   if (bodies_) contacts_clock_.run([&] { findContacts(); });
 
   for (int iteration = 0; iteration < scene_.solver.iterations; ++iteration) {
-    lambda_clock_.run([&] { density_->computeLambda(particles_, neighbours_); });
-    delta_p_clock_.run([&] { density_->computeDeltaP(particles_, neighbours_); });
+    fluid_->iterate(particles_, neighbours_);
     if (!colliders_.empty()) collide_clock_.run([&] { respondToCollisions(); });
     // The paper corrects x* before its update, the default after: doc/algorithm.md says why.
     if (!scene_.springs.correct_updated) correctSprings(dt_s, iteration);
@@ -139,14 +132,14 @@ void Simulator<Real>::substep(double dt_s) {
 
   velocity_clock_.run([&] { updateVelocityAndPosition(dt); });
   if (bodies_) bodies_clock_.run([&] { bodies_->finish(particles_); });
-  if (viscosity_) viscosity_clock_.run([&] { applyViscosity(dt_s); });
+  if (fluid_->viscous()) viscosity_clock_.run([&] { applyViscosity(dt_s); });
 }
 
 template <class Real>
 void Simulator<Real>::predict(double dt_s) {
   applyForcesAndPredict(static_cast<Real>(dt_s));
   if (phases_) predictSteamAndIce(dt_s);
-  density_->warmStart(particles_);
+  fluid_->beginSubstep(particles_);
   if (bodies_) bodies_->conform(particles_.predicted);
 }
 
@@ -165,7 +158,7 @@ void Simulator<Real>::findNeighbours() {
   if (!neighbours_.stale(particles_.predicted)) return;
   const std::vector<Index>& order = neighbours_.sortOrder(particles_.predicted);
   particles_.reorder(order);
-  density_->reorder(order);
+  fluid_->reorder(order);
   if (springs_) springs_->renumber(order);
   if (heat_) heat_->reorder(order);
   if (phases_) phases_->reorder(order);
@@ -219,7 +212,7 @@ void Simulator<Real>::correctSprings(double dt_s, int iteration) {
 /// Amends delta p so that x* + delta p lies outside every collider.
 template <class Real>
 void Simulator<Real>::respondToCollisions() {
-  VectorField<Real>& delta_p = density_->deltaP();
+  VectorField<Real>& delta_p = fluid_->deltaP();
   const Paths<Real> paths{particles_.position, particles_.predicted, &delta_p};
   parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
     forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
@@ -234,7 +227,7 @@ void Simulator<Real>::respondToCollisions() {
 
 template <class Real>
 void Simulator<Real>::updatePredicted() {
-  const VectorField<Real>& delta_p = density_->deltaP();
+  const VectorField<Real>& delta_p = fluid_->deltaP();
   parallelFor(particles_.size(),
               [&](std::size_t i) { particles_.predicted.add(i, delta_p.at(i)); });
 }
@@ -279,15 +272,12 @@ void Simulator<Real>::updateVelocityAndPosition(Real dt) {
   });
   report_.speed_limited += limited;
   report_.non_finite += repaired;
-  if (repaired > 0) density_->forgetWarmStart();  // or every substep would start from it again
+  if (repaired > 0) fluid_->forget();  // or every substep would start from it again
 }
 
 template <class Real>
 void Simulator<Real>::applyViscosity(double dt_s) {
-  const std::vector<Real>& density = density_->density();
-  const auto densest = std::max_element(density.begin(), density.end());
-  viscosity_->apply(particles_, neighbours_, dt_s, density_->rows(),
-                    densest != density.end() ? double(*densest) : 1.0);
+  fluid_->applyViscosity(particles_, neighbours_, dt_s);
   if (bodies_) bodies_->takeVelocities(particles_);
 }
 

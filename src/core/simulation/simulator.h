@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "base/archive.h"
+#include "base/stage_clock.h"
 #include "colliders/colliders.h"
-#include "fluid/boundary_density.h"
-#include "fluid/density_constraint.h"
-#include "fluid/viscosity.h"
+#include "fluid/fluid.h"
 #include "ice/ice_bodies.h"
 #include "ice/ice_contacts.h"
 #include "ice/springs.h"
@@ -21,7 +20,6 @@
 #include "particles/particles.h"
 #include "phase/phases.h"
 #include "phase/steam.h"
-#include "simulation/stage_clock.h"
 #include "thermal/thermal_solver.h"
 
 namespace ice_ice_baby {
@@ -110,11 +108,9 @@ class Simulator final : public Simulation {
   Particles<Real> particles_;
   Temperature temperature_;
   Colliders<Real> colliders_;
-  std::optional<BoundaryDensity<Real>> walls_;
   Neighbours<Real> neighbours_;
-  std::optional<DensityConstraint<Real>> density_;
+  std::optional<Fluid<Real>> fluid_;  ///< always there, but made after what it refers to
   std::optional<Springs<Real>> springs_;
-  std::optional<Viscosity<Real>> viscosity_;
   std::optional<ThermalSolver<Real>> heat_;
   std::optional<Phases<Real>> phases_;         ///< with heat
   std::optional<IceBodies<Real>> bodies_;      ///< while there is rigid ice
@@ -130,8 +126,6 @@ class Simulator final : public Simulation {
   StageClock neighbours_clock_{"neighbours"};
   StageClock make_springs_clock_{"make_springs"};
   StageClock contacts_clock_{"ice_contacts"};
-  StageClock lambda_clock_{"lambda"};
-  StageClock delta_p_clock_{"delta_p"};
   StageClock collide_clock_{"collide"};
   StageClock correct_springs_clock_{"correct_springs"};
   StageClock position_clock_{"position"};

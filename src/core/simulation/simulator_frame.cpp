@@ -64,7 +64,7 @@ void Simulator<Real>::followTargetError() {
   const double most = std::min(kMostSubsteps, 2 * substeps_);
   const int next = static_cast<int>(std::clamp(wanted, std::min(fewest, most), most));
   if (next == substeps_) return;
-  density_->rescaleWarmStart(double(substeps_) / next);
+  fluid_->rescale(double(substeps_) / next);
   substeps_ = next;
 }
 

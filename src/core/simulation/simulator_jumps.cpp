@@ -37,7 +37,7 @@ void Simulator<Real>::jumpColliders() {
     contacts_->expel(*bodies_, colliders_);
     bodies_->finish(particles_);
   }
-  density_->forgetWarmStart();
+  fluid_->forget();
   expel();
 }
 
@@ -83,16 +83,15 @@ template <class Real>
 void Simulator<Real>::makeRoom() {
   for (int k = 0; k < kMostCorrections; ++k) {
     findNeighbours();
-    density_->computeLambda(particles_, neighbours_);
-    const std::vector<Real>& density = density_->density();
-    if (*std::max_element(density.begin(), density.end()) < Real(1 + kDense)) break;
-    density_->computeDeltaP(particles_, neighbours_);
+    fluid_->updateDensity(particles_, neighbours_);
+    if (static_cast<Real>(fluid_->maxDensity()) < Real(1 + kDense)) break;
+    fluid_->updateCorrections(particles_, neighbours_);
     respondToCollisions();
     updatePredicted();
     if (bodies_) bodies_->writePredicted(particles_.predicted);
     particles_.position = particles_.predicted;
   }
-  density_->forgetWarmStart();
+  fluid_->forget();
 }
 
 template class Simulator<float>;

@@ -43,7 +43,7 @@ void Simulator<Real>::updateReport() {
     fastest = std::max(fastest, square);
     heights -= scene_.gravity_m_s2.dot(particles_.position.at(i).template cast<double>());
   }
-  const DensityError error = densityError(density_->density());
+  const auto error = fluid_->densityError();
   report_.particles = n;
   report_.springs = springs_ ? springs_->size() : 0;
   report_.density_error_mean = error.mean;
@@ -56,19 +56,11 @@ void Simulator<Real>::updateReport() {
   if (heat_) reportHeat();
 }
 
-/// A solver that stops after few iterations leaves water as soft as springs of stiffness p / C,
-/// which give back p V C / 2, and springs as soft. doc/stability.md shows the balance with and
-/// without.
+/// Of compressed water and of springs. doc/stability.md shows the balance with and without.
 template <class Real>
 double Simulator<Real>::elasticEnergy_j() const {
-  const std::vector<Real>& density = density_->density();
-  const std::vector<Real>& multiplier = density_->multiplier();
-  double sum_m2 = 0.0;
-  for (std::size_t i = 0; i < density.size(); ++i) {
-    sum_m2 -= double(multiplier[i]) * std::max(0.0, double(density[i]) - 1.0);
-  }
   const double substeps_1_s = scene_.solver.frame_rate_hz * substeps_;
-  const double energy_j = 0.5 * mass_kg_ * sum_m2 * substeps_1_s * substeps_1_s;
+  const double energy_j = fluid_->elasticEnergy_j(substeps_1_s);
   if (!springsCorrect()) return energy_j;
   return energy_j + springs_->elasticEnergy_j(particles_.position, 1.0 / substeps_1_s);
 }
@@ -80,7 +72,6 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
   stride = std::max<std::size_t>(stride, 1);
   out.resize((n + stride - 1) / stride);
   const double substeps_1_s = scene_.solver.frame_rate_hz * substeps_;
-  const double pascal = -scene_.fluid.rest_density_kg_m3 * substeps_1_s * substeps_1_s;
   const auto& x = particles_.position;
   const auto& v = particles_.velocity;
   for (std::size_t k = 0; k < out.size(); ++k) {
@@ -93,8 +84,8 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
               float(v.z[i]),
               float(heat_ ? heat_->temperature(i) : report_.temperature_c),
               float(heat_ ? heat_->iceFraction(i) : strictness_),
-              float(density_->density()[i]),
-              float(pascal * double(density_->multiplier()[i])),
+              float(fluid_->density()[i]),
+              float(fluid_->pressure_pa(i, substeps_1_s)),
               std::uint32_t(k * stride)};
   }
 }
@@ -176,15 +167,15 @@ std::vector<StageStats> Simulator<Real>::stages() const {
   if (springs_ && !heat_) list.push_back(make_springs_clock_.stats(springs_->bytes()));
   if (bodies_) list.push_back(contacts_clock_.stats(contacts_->bytes()));
   if (iterates) {
-    list.push_back(lambda_clock_.stats(density_->bytes() + (walls_ ? walls_->bytes() : 0)));
-    list.push_back(delta_p_clock_.stats(0));
+    list.push_back(fluid_->lambdaStage());
+    list.push_back(fluid_->deltaPStage());
   }
   if (!colliders_.empty()) list.push_back(collide_clock_.stats(colliders_.bytes()));
   if (springsCorrect()) list.push_back(correct_springs_clock_.stats(0));
   if (iterates) list.push_back(position_clock_.stats(0));
   if (bodies_) list.push_back(bodies_clock_.stats(bodies_->bytes()));
   list.push_back(velocity_clock_.stats(0));
-  if (viscosity_) list.push_back(viscosity_clock_.stats(viscosity_->bytes()));
+  if (fluid_->viscous()) list.push_back(viscosity_clock_.stats(fluid_->viscosityBytes()));
   if (heat_) list.push_back(heat_clock_.stats(heat_->bytes()));
   if (phases_) {
     list.push_back(phases_clock_.stats(phases_->bytes() + (springs_ ? springs_->bytes() : 0)));
