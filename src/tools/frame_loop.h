@@ -21,7 +21,8 @@ struct RunOutputs {
 /// Runs the frames until simulated time `end_s`, until a value was not finite, or, where the run is
 /// saved, until somebody interrupts it. Faces of the error are those of whole runs: one that goes
 /// on from a checkpoint has none.
+/// @param threads with which the error is measured, 0: all of the machine's
 /// @throws InvalidInput when an output cannot be written; a checkpoint on the way is only warned of
-RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double end_s);
+RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double end_s, int threads);
 
 }  // namespace ice_ice_baby

@@ -65,7 +65,7 @@ void RunRecord::addFrame(const StepReport& report) {
   most_steam = std::max(most_steam, report.steam_particles);
 }
 
-void RunRecord::addSample(const StepReport& report, const Simulation::DensityError& error) {
+void RunRecord::addSample(const StepReport& report, const DensityError& error) {
   ++samples;
   const double weight = 1.0 / double(samples);
   density_error_mean += weight * (error.mean - density_error_mean);

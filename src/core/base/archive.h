@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -50,9 +49,9 @@ class StateWriter {
     for (const Item& item : items) write_item(item);
   }
 
-  /// What may be there or not. `made_of` is what the reader makes it of.
-  template <class T, class Made>
-  void optional(const std::optional<T>& value, const Made&) {
+  /// What may be there or not, as a std::optional. `made_of` is what the reader makes it of.
+  template <class Optional, class Made>
+  void optional(const Optional& value, const Made&) {
     write(value.has_value());
     if (value) write(*value);
   }
@@ -122,8 +121,8 @@ class StateReader {
   }
 
   /// @param made_of what a value is made of before it is read
-  template <class T, class Made>
-  void optional(std::optional<T>& value, const Made& made_of) {
+  template <class Optional, class Made>
+  void optional(Optional& value, const Made& made_of) {
     bool there = false;
     read(there);
     value.reset();

@@ -68,7 +68,7 @@ class Neighbours {
   }
   /// Builds the lists again where those that a checkpoint held were built.
   /// @throws InvalidInput when these are not positions of `particles` particles sorted by cell
-  void settle(std::size_t particles);
+  void restore(std::size_t particles);
 
  private:
   static constexpr std::size_t kChunk = 256;

@@ -47,18 +47,17 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
   scene_.solver.substeps = substeps_;  // so that scene() tells what is in force
   scene_.solver.relaxation = scene.relaxation();
   if (scene.thermal.enabled) {
-    heat_.emplace(scene, spawns_, colliders_);
-    phases_.emplace(scene, particles_.size());
+    phase_change_.emplace(scene_, spawns_, colliders_, springs_);
   }
-  fluid_.emplace(scene, colliders_, phases_ ? &*phases_ : nullptr);
+  fluid_.emplace(scene, colliders_, phase_change_ ? &phase_change_->phases() : nullptr);
   updateTemperature(0.0);
   arena_.execute([&] {
     findNeighbours();
     // What fell as one would stay one: lists live as long as all particles move alike.
     if (neighbours_.coincident()) particles_.position = particles_.predicted;
     joinSheets();
-    if (heat_) beginPhases();
-    if (!colliders_.empty()) expel();
+    if (phase_change_) phase_change_->begin(particles_, neighbours_, spawns_);
+    if (!colliders_.empty()) expelWater();
     fluid_->updateDensity(particles_, neighbours_);
     updateReport();
   });
@@ -76,7 +75,9 @@ const StepReport& Simulator<Real>::advanceFrame() {
   if (!report_.asleep) {
     arena_.execute([&] {
       runSubsteps();
-      if (heat_) advanceHeat();
+      if (phase_change_) {
+        phase_change_->advance(particles_, neighbours_, temperature_.celsius());
+      }
       report_clock_.run([&] { updateReport(); });
       updateSleep();
       followTargetError();
@@ -89,9 +90,7 @@ const StepReport& Simulator<Real>::advanceFrame() {
 
 template <class Real>
 void Simulator<Real>::runSubsteps() {
-  const auto bodiesLimited = [&] {
-    return bodies_ ? bodies_->limited() + contacts_->limited() : 0;
-  };
+  const auto bodiesLimited = [&] { return phase_change_ ? phase_change_->limited() : 0; };
   const std::uint64_t limited_before = bodiesLimited();
   const std::uint64_t cut_before = fluid_->correctionsLimited();
   if (colliders_moving_) jumpColliders();
@@ -114,7 +113,7 @@ void Simulator<Real>::substep(double dt_s) {
   predict_clock_.run([&] { predict(dt_s); });
   neighbours_clock_.run([&] { findNeighbours(); });
   if (strictness_ > 0.0) make_springs_clock_.run([&] { makeSprings(); });
-  if (bodies_) contacts_clock_.run([&] { findContacts(); });
+  if (phase_change_) phase_change_->findContacts(particles_.predicted, neighbours_);
 
   for (int iteration = 0; iteration < scene_.solver.iterations; ++iteration) {
     fluid_->iterate(particles_, neighbours_);
@@ -122,31 +121,30 @@ void Simulator<Real>::substep(double dt_s) {
     // The paper corrects x* before its update, the default after: doc/algorithm.md says why.
     if (!scene_.springs.correct_updated) correctSprings(dt_s, iteration);
     position_clock_.run([&] { updatePredicted(); });
-    if (bodies_) bodies_clock_.run([&] { moveBodies(); });
+    if (phase_change_) phase_change_->moveBodies(particles_.predicted);
     if (scene_.springs.correct_updated) correctSprings(dt_s, iteration);
   }
   const bool moved_since_response = springsCorrect() || scene_.solver.iterations == 0;
   if (moved_since_response && !colliders_.empty()) collide_clock_.run([&] { finishCollisions(); });
-
-  if (bodies_) bodies_clock_.run([&] { contacts_->contain(*bodies_, particles_.predicted); });
+  if (phase_change_) phase_change_->contain(particles_.predicted);
 
   velocity_clock_.run([&] { updateVelocityAndPosition(dt); });
-  if (bodies_) bodies_clock_.run([&] { bodies_->finish(particles_); });
+  if (phase_change_) phase_change_->finish(particles_);
   if (fluid_->viscous()) viscosity_clock_.run([&] { applyViscosity(dt_s); });
 }
 
 template <class Real>
 void Simulator<Real>::predict(double dt_s) {
   applyForcesAndPredict(static_cast<Real>(dt_s));
-  if (phases_) predictSteamAndIce(dt_s);
+  if (phase_change_) phase_change_->predict(particles_, dt_s);
   fluid_->beginSubstep(particles_);
-  if (bodies_) bodies_->conform(particles_.predicted);
+  if (phase_change_) phase_change_->conform(particles_.predicted);
 }
 
 template <class Real>
 void Simulator<Real>::applyForcesAndPredict(Real dt) {
   const Vec3<Real> gravity = scene_.gravity_m_s2.cast<Real>();
-  parallelFor(particles_.size(), [&](std::size_t i) {
+  parallelFor(particles_.owned(), [&](std::size_t i) {
     const Vec3<Real> v = particles_.velocity.at(i) + dt * gravity;
     particles_.velocity.set(i, v);
     particles_.predicted.set(i, particles_.position.at(i) + dt * v);
@@ -155,17 +153,24 @@ void Simulator<Real>::applyForcesAndPredict(Real dt) {
 
 template <class Real>
 void Simulator<Real>::findNeighbours() {
-  if (!neighbours_.stale(particles_.predicted)) return;
-  const std::vector<Index>& order = neighbours_.sortOrder(particles_.predicted);
+  if (neighbours_.stale(particles_.predicted)) renewNeighbours();
+}
+
+template <class Real>
+void Simulator<Real>::renewNeighbours() {
+  reorder(neighbours_.sortOrder(particles_.predicted));
+  neighbours_.build(particles_.predicted);
+  if (phase_change_) phase_change_->followNeighbours(neighbours_);
+  if (neighbours_.coincident()) separateCoincident();
+}
+
+/// Puts particle order[k] at place k, with all that belongs to it.
+template <class Real>
+void Simulator<Real>::reorder(const std::vector<Index>& order) {
   particles_.reorder(order);
   fluid_->reorder(order);
   if (springs_) springs_->renumber(order);
-  if (heat_) heat_->reorder(order);
-  if (phases_) phases_->reorder(order);
-  if (bodies_) bodies_->reorder(order);
-  neighbours_.build(particles_.predicted);
-  if (bodies_) phases_->findWet(neighbours_);
-  if (neighbours_.coincident()) separateCoincident();
+  if (phase_change_) phase_change_->reorder(order);
 }
 
 /// Two particles at one point have no direction in which to part, so all but the first of them are
@@ -200,7 +205,7 @@ void Simulator<Real>::correctSprings(double dt_s, int iteration) {
   if (!springsCorrect()) return;
   correct_springs_clock_.run([&] {
     const bool begins = iteration == 0;
-    if (heat_) {
+    if (phase_change_) {
       springs_->correctElastic(particles_.predicted, scene_.ice.compliance_m_n, mass_kg_, dt_s,
                                begins);
     } else {
@@ -212,11 +217,12 @@ void Simulator<Real>::correctSprings(double dt_s, int iteration) {
 /// Amends delta p so that x* + delta p lies outside every collider.
 template <class Real>
 void Simulator<Real>::respondToCollisions() {
+  const IceBodies<Real>* bodies = this->bodies();
   VectorField<Real>& delta_p = fluid_->deltaP();
   const Paths<Real> paths{particles_.position, particles_.predicted, &delta_p};
   parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
     forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
-      if (inBody(i)) return;
+      if (bodies && bodies->memberAt(Index(i)) != kNone) return;
       const Vec3<Real> predicted = particles_.predicted.at(i);
       const Vec3<Real> wanted = predicted + delta_p.at(i);
       const Vec3<Real> end = colliders_.respond(particles_.position.at(i), wanted, sticks());
@@ -235,10 +241,11 @@ void Simulator<Real>::updatePredicted() {
 /// Takes what springs or plain flight pushed into a collider out of it again.
 template <class Real>
 void Simulator<Real>::finishCollisions() {
+  const IceBodies<Real>* bodies = this->bodies();
   const Paths<Real> paths{particles_.position, particles_.predicted};
   parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
     forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
-      if (inBody(i)) return;
+      if (bodies && bodies->memberAt(Index(i)) != kNone) return;
       const Vec3<Real> wanted = particles_.predicted.at(i);
       particles_.predicted.set(i, colliders_.respond(particles_.position.at(i), wanted, sticks()));
     });
@@ -253,7 +260,7 @@ template <class Real>
 void Simulator<Real>::updateVelocityAndPosition(Real dt) {
   const Real limit = static_cast<Real>(scene_.solver.max_speed_m_s);
   std::atomic<std::uint64_t> limited{0}, repaired{0};
-  parallelFor(particles_.size(), [&](std::size_t i) {
+  parallelFor(particles_.owned(), [&](std::size_t i) {
     Vec3<Real> v = particles_.velocity.at(i);
     const Vec3<Real> flight = particles_.position.at(i) + dt * v;
     v += (particles_.predicted.at(i) - flight) / dt;
@@ -278,7 +285,7 @@ void Simulator<Real>::updateVelocityAndPosition(Real dt) {
 template <class Real>
 void Simulator<Real>::applyViscosity(double dt_s) {
   fluid_->applyViscosity(particles_, neighbours_, dt_s);
-  if (bodies_) bodies_->takeVelocities(particles_);
+  if (phase_change_) phase_change_->takeVelocities(particles_);
 }
 
 std::unique_ptr<Simulation> makeSimulation(const Scene& scene, Precision precision, int threads) {
