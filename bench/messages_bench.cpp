@@ -1,7 +1,8 @@
-// messages/...: what becomes of the state before it is sent.
+// messages/...: from the state of the simulation to messages.
 #include <benchmark/benchmark.h>
 #include <ros/serialization.h>
 
+#include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/simulation.h"
 #include "markers.h"
 #include "measure.h"
@@ -23,14 +24,14 @@ void sampleParticles(benchmark::State& state) {
 void writeParticles(benchmark::State& state) {
   const std::vector<ParticleSample> samples(std::size_t(state.range(0)));
   sensor_msgs::PointCloud2 cloud;
-  for (auto _ : state) writeCloud(samples, true, cloud);
+  for (auto _ : state) writeCloud(samples, Colouring::kScene, cloud);
   countParticles(state, samples.size());
 }
 
 void serialiseParticles(benchmark::State& state) {
   sensor_msgs::PointCloud2 cloud;
   const std::vector<ParticleSample> samples(std::size_t(state.range(0)));
-  writeCloud(samples, true, cloud);
+  writeCloud(samples, Colouring::kScene, cloud);
   for (auto _ : state) benchmark::DoNotOptimize(ros::serialization::serializeMessage(cloud));
   countParticles(state, samples.size());
 }
@@ -45,8 +46,13 @@ void markSprings(benchmark::State& state) {
 
 void markColliders(benchmark::State& state) {
   const auto simulation = makeSimulation(stillPool(1000));
+  const Scene& scene = simulation->scene();
+  std::vector<Posed> poses;
+  forEachCollider(scene, [&](const Collider& collider) {
+    poses.push_back(simulation->colliderPose(collider.name));
+  });
   for (auto _ : state) {
-    benchmark::DoNotOptimize(colliderMarkers(*simulation, std_msgs::Header()));
+    benchmark::DoNotOptimize(colliderMarkers(scene, poses, std_msgs::Header()));
   }
 }
 

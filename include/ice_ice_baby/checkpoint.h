@@ -1,5 +1,5 @@
-// Checkpoints: a whole simulation as bytes and as a file, from which it goes on with the same bits.
-// doc/checkpoints.md has the format.
+// Checkpoints: the whole state of a simulation as bytes or as a file. A restored simulation
+// continues bit for bit. doc/checkpoints.md describes the format.
 #pragma once
 
 #include <memory>
@@ -10,34 +10,34 @@
 
 namespace ice_ice_baby {
 
-/// The scene as it is in force and all state of the simulation, checksummed. Fast: one pass over
-/// memory, so that one thread may encode between two frames and another one write.
+/// Encodes the scene in force and all state of the simulation, with a checksum. Takes one pass over
+/// memory, so one thread can encode between two frames while another one writes.
 std::string encodeCheckpoint(const Simulation& simulation);
 
-/// The simulation that was encoded; its next frames have the bits that those of the original have,
-/// for any number of threads. Safe on bytes from anywhere.
-/// @param origin names the bytes in messages, as the path of a file does
+/// Restores the simulation that was encoded. Its next frames are bit-identical to those of the
+/// original, for any number of threads. Safe on untrusted bytes.
+/// @param origin name of the bytes in messages, such as a path
 /// @param threads as for makeSimulation
-/// @throws InvalidInput when the bytes are no checkpoint, of another version, truncated, changed,
-/// or make no sense together
+/// @throws InvalidInput if the bytes are not a checkpoint, or are of another version, truncated,
+/// corrupted or inconsistent
 std::unique_ptr<Simulation> decodeCheckpoint(std::string_view bytes, const std::string& origin,
                                              int threads = 0);
 
-/// Puts the bytes of a checkpoint at `path`, whole or not at all: whatever happens meanwhile, power
-/// loss included, `path` holds either what it held or all of the bytes.
-/// @throws InvalidInput that names the path and the cause (no space, no permission, ...); the old
-/// file stays and nothing else is left behind
+/// Writes a checkpoint atomically: whatever happens meanwhile, power loss included, `path` holds
+/// either its previous contents or the complete checkpoint.
+/// @throws InvalidInput that names the path and the cause (no space, no permission, ...). The old
+/// file is kept and no other file is left behind
 void writeCheckpoint(std::string_view bytes, const std::string& path);
 
-/// Whether a checkpoint can be saved there as far as one can know beforehand.
+/// Checks in advance, as far as possible, that a checkpoint can be written to the path.
 /// @throws InvalidInput as writeCheckpoint would
 void requireSavable(const std::string& path);
 
-/// writeCheckpoint of encodeCheckpoint. @throws InvalidInput as writeCheckpoint
+/// Encodes and writes a checkpoint. @throws InvalidInput as writeCheckpoint
 void saveCheckpoint(const Simulation& simulation, const std::string& path);
 
-/// decodeCheckpoint of a file. @throws InvalidInput as decodeCheckpoint, and when the file cannot
-/// be read; the message names the path
+/// Reads and decodes a checkpoint file. @throws InvalidInput as decodeCheckpoint, and if the file
+/// cannot be read; the message names the path
 std::unique_ptr<Simulation> loadCheckpoint(const std::string& path, int threads = 0);
 
 }  // namespace ice_ice_baby

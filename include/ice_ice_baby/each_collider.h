@@ -5,12 +5,12 @@
 
 namespace ice_ice_baby {
 
-/// Calls visit(collider) for containers, then planes, then spheres.
+/// Calls visit(collider) in the order of forEachColliderList.
 template <class Visit>
 void forEachCollider(const Scene& scene, const Visit& visit) {
-  for (const Collider& collider : scene.containers) visit(collider);
-  for (const Collider& collider : scene.planes) visit(collider);
-  for (const Collider& collider : scene.spheres) visit(collider);
+  forEachColliderList(scene, [&](const auto& list, const ColliderKind&) {
+    for (const Collider& collider : list) visit(collider);
+  });
 }
 
 }  // namespace ice_ice_baby

@@ -1,12 +1,12 @@
-// Every parameter once: name, default, allowed range and meaning.
+// Every scene parameter once: name, default, allowed range and meaning.
 //
 // Each struct lists its members in one `describe` function. The YAML reader, the writer of
-// config/default.yaml and the ROS parameter loader all walk that list, so a parameter is added in
-// one place. A visitor is called as
-//   visit(name, value, Range{min, max}, meaning)   for numbers and vectors (the range of each
-//   part), visit(name, value, meaning)                    for bool, text and choices,
-//   visit.section(name, params, meaning)           for a struct of them,
-//   visit.list(name, vector, meaning)              for a list of structs.
+// config/default.yaml and the overrides all use that list, so a parameter is added in one place.
+// A visitor is called as
+//   visit(name, value, Range{min, max}, meaning)  numbers; vectors, with the range of each part
+//   visit(name, value, meaning)                   bool, text and choices
+//   visit.section(name, params, meaning)          a struct of parameters
+//   visit.list(name, vector, meaning)             a list of structs
 #pragma once
 
 #include <limits>
@@ -22,7 +22,7 @@ struct Range {
   double max;
 };
 
-/// Furthest coordinate at which single precision still resolves a hundredth of a millimetre.
+/// Largest coordinate at which single precision still resolves a hundredth of a millimetre.
 constexpr double kMaxCoordinate_m = 100.0;
 
 enum class Preset { kDefault, kPaper };
@@ -50,19 +50,20 @@ struct FluidParams {
 template <class Visitor>
 void describe(FluidParams& p, Visitor&& visit) {
   visit("spacing_m", p.spacing_m, Range{1e-4, 10.0},
-        "distance d between particles at rest: the resolution of the scene");
+        "distance d between particles at rest; sets the resolution of the scene");
   visit("support_radius_m", p.support_radius_m, Range{0.0, 40.0},
         "kernel support radius h; 0: 2 d (paper: 0.03 at its own spacing)");
   visit("rest_density_kg_m3", p.rest_density_kg_m3, Range{1e-3, 1e9},
         "rest density rho_0 (paper: 45000)");
   visit("particle_mass_kg", p.particle_mass_kg, Range{0.0, 1e9},
-        "mass of a particle; 0: such that a lattice of spacing d has exactly the rest density "
+        "mass of a particle; 0: chosen so that a lattice of spacing d has exactly the rest density "
         "(paper: 1)");
   visit("kernel", p.kernel,
-        "cubic: one spline for the density and its own gradient; poly6_spiky: the paper's pair");
-  visit("self_density", p.self_density, "whether a particle counts in its own density");
+        "cubic: cubic spline and its gradient; poly6_spiky: the two kernels of the paper");
+  visit("self_density", p.self_density, "whether a particle contributes to its own density");
   visit("boundary_density", p.boundary_density,
-        "whether walls and colliders count in the density, so that particles do not stack there");
+        "whether walls and colliders contribute to the density; prevents particles from stacking "
+        "there");
 }
 
 struct SolverParams {
@@ -85,33 +86,32 @@ void describe(SolverParams& p, Visitor&& visit) {
   visit("frame_rate_hz", p.frame_rate_hz, Range{1.0, 10000.0},
         "frames per simulated second; state is reported once a frame");
   visit("quality", p.quality,
-        "points of the measured front of error against run time, doc/error_vs_runtime.md: 4, 6 or "
-        "12 substeps");
+        "trades accuracy for run time: 4, 6 or 12 substeps; measured in doc/error_vs_runtime.md");
   visit("target_error", p.target_error, Range{0.0, 0.5},
-        "mean density error, as a fraction, that the number of substeps follows frame by frame; "
-        "0: it stays as it is");
+        "mean density error, as a fraction; the number of substeps is adapted to it every frame; "
+        "0: fixed number");
   visit("substeps", p.substeps, Range{0, 1000},
-        "passes of Algorithm 1 per frame, with a target error those of the first; 0: as quality "
-        "has it");
+        "passes of Algorithm 1 per frame; with a target error, in the first frame; 0: set by "
+        "quality");
   visit("iterations", p.iterations, Range{0, 1000},
-        "solver iterations per substep; 0: particles fly ballistically");
+        "solver iterations per substep; 0: particles move ballistically");
   visit("relaxation", p.relaxation, Range{0.0, 1.0},
-        "factor on lambda; 0: the largest with which water comes to rest, by the number of "
-        "iterations; above it the simultaneous corrections overshoot (paper: 1)");
+        "factor on lambda; 0: the largest value that lets water come to rest, given the number of "
+        "iterations; larger values overshoot (paper: 1)");
   visit("epsilon", p.epsilon, Range{0.0, 1e3},
-        "epsilon of Eq. 5 times h^2, so that it does not depend on scale (paper: 9e-5)");
+        "epsilon of Eq. 5 times h^2, which makes it independent of scale (paper: 9e-5)");
   visit("warm_start", p.warm_start, Range{0.0, 0.5},
-        "share of the latest substep's corrections that the next one starts with; above 1/2 slow "
-        "waves grow (paper: 0)");
+        "fraction of the last substep's corrections that the next substep starts with; above 1/2 "
+        "slow waves grow (paper: 0)");
   visit("resist_tension", p.resist_tension,
-        "whether density below rest also corrects: Eq. 5 unclamped, which clumps and can explode");
-  visit(
-      "viscosity_1_s", p.viscosity_1_s, Range{0.0, 1e4},
-      "rate at which a particle takes on the velocity of its neighbours (XSPH); 0: no such stage");
+        "whether density below rest is corrected too: Eq. 5 without a clamp; particles clump and "
+        "may explode");
+  visit("viscosity_1_s", p.viscosity_1_s, Range{0.0, 1e4},
+        "XSPH viscosity: rate at which a particle takes on the velocity of its neighbours; 0: off");
   visit("max_correction_h", p.max_correction_h, Range{0.0, 1.0},
-        "largest correction of one iteration in support radii; 0: unlimited (paper)");
+        "maximum correction per iteration, in support radii; 0: unlimited (paper)");
   visit("max_speed_m_s", p.max_speed_m_s, Range{1e-3, 1e5},
-        "speed limit; counted and warned about whenever it acts");
+        "speed limit; particles that reach it are counted and reported");
 }
 
 struct TemperatureParams {
@@ -124,11 +124,10 @@ constexpr Range kTemperatureRange_c{-273.15, 1000.0};
 
 template <class Visitor>
 void describe(TemperatureParams& p, Visitor&& visit) {
-  visit("initial_c", p.initial_c, kTemperatureRange_c, "temperature of the scene at the start");
-  visit("onset_c", p.onset_c, kTemperatureRange_c,
-        "below this temperature springs appear; above it there are none");
+  visit("initial_c", p.initial_c, kTemperatureRange_c, "initial temperature of the scene");
+  visit("onset_c", p.onset_c, kTemperatureRange_c, "springs exist below this temperature");
   visit("freezing_c", p.freezing_c, kTemperatureRange_c,
-        "at and below this temperature the springs allow no movement; must be below onset_c");
+        "springs are rigid at and below this temperature; must be below onset_c");
 }
 
 struct SpringParams {
@@ -143,20 +142,21 @@ struct SpringParams {
 template <class Visitor>
 void describe(SpringParams& p, Visitor&& visit) {
   visit("reach_h", p.reach_h, Range{0.1, 1.0},
-        "neighbours up to this distance, in support radii, are joined (paper: 1, all of them)");
+        "neighbours up to this distance, in support radii, are joined (paper: 1, all neighbours)");
   visit("slack_1_s", p.slack_1_s, Range{0.0, 1e4},
-        "relative change of length per second that a spring allows at onset_c; falls to 0 at "
-        "freezing_c");
+        "relative change of length per second that a spring allows at onset_c; falls linearly to 0 "
+        "at freezing_c");
   visit("keep_frozen", p.keep_frozen,
-        "whether frozen springs keep the rest length they froze with (false, paper: every substep "
-        "makes them anew)");
+        "whether frozen springs keep the rest length they froze with; false (paper): new springs "
+        "in every substep");
   visit("correct_updated", p.correct_updated,
-        "whether springs correct x* after delta p moved it (false, paper: before, so that both "
-        "answer the same error, overshoot and shake the ice)");
+        "whether springs correct x* after delta p is applied; false (paper): before, so that both "
+        "correct the same error and the ice jitters");
   visit("stick_to_colliders", p.stick_to_colliders,
-        "whether frozen water does not slide on what it touches (paper: false)");
+        "whether frozen water sticks to the colliders it touches (paper: false)");
   visit("sleep_speed_m_s", p.sleep_speed_m_s, Range{0.0, 10.0},
-        "frozen water slower than this for half a second sleeps until something changes; 0: never");
+        "frozen water slower than this for half a second sleeps until something changes; 0: never "
+        "sleeps");
 }
 
 struct ThermalParams {
@@ -178,30 +178,32 @@ struct ThermalParams {
 template <class Visitor>
 void describe(ThermalParams& p, Visitor&& visit) {
   visit("enabled", p.enabled,
-        "whether every particle has a temperature of its own, freezes into rigid ice and melts; "
-        "false: one temperature for the whole scene, as the paper has it");
+        "whether each particle has its own temperature, freezes into rigid ice and melts; false: "
+        "one temperature for the whole scene (paper)");
   visit("speedup", p.speedup, Range{0.0, 1e7},
-        "seconds of heat that pass in one simulated second, so that a person can watch a pond "
-        "freeze");
-  visit("freezing_c", p.freezing_c, Range{-100.0, 100.0}, "where water freezes and ice melts");
+        "seconds of heat transfer per simulated second; makes slow freezing visible");
+  visit("freezing_c", p.freezing_c, Range{-100.0, 100.0},
+        "temperature at which water freezes and ice melts");
   visit("hysteresis_c", p.hysteresis_c, Range{0.0, 10.0},
-        "water turns rigid this far below freezing_c and ice comes loose this far above");
-  visit("boiling_c", p.boiling_c, Range{1.0, 900.0}, "where water boils; above freezing_c");
+        "water becomes rigid this far below freezing_c, and ice breaks up this far above it");
+  visit("boiling_c", p.boiling_c, Range{1.0, 900.0},
+        "temperature at which water boils; must be above freezing_c");
   visit("latent_heat_fusion_j_kg", p.latent_heat_fusion_j_kg, Range{1.0, 1e8},
         "latent heat of freezing");
   visit("latent_heat_vaporisation_j_kg", p.latent_heat_vaporisation_j_kg, Range{1.0, 1e9},
         "latent heat of boiling");
   visit("ice_specific_heat_j_kgk", p.ice_specific_heat_j_kgk, Range{1.0, 1e6},
-        "heat capacity of ice");
+        "specific heat of ice");
   visit("water_specific_heat_j_kgk", p.water_specific_heat_j_kgk, Range{1.0, 1e6},
-        "heat capacity of water");
+        "specific heat of water");
   visit("steam_specific_heat_j_kgk", p.steam_specific_heat_j_kgk, Range{1.0, 1e6},
-        "heat capacity of steam");
-  visit("ice_conductivity_w_mk", p.ice_conductivity_w_mk, Range{0.0, 1e4}, "conductivity of ice");
+        "specific heat of steam");
+  visit("ice_conductivity_w_mk", p.ice_conductivity_w_mk, Range{0.0, 1e4},
+        "thermal conductivity of ice");
   visit("water_conductivity_w_mk", p.water_conductivity_w_mk, Range{0.0, 1e4},
-        "conductivity of water");
+        "thermal conductivity of water");
   visit("air_heat_transfer_w_m2k", p.air_heat_transfer_w_m2k, Range{0.0, 1e6},
-        "heat transfer between a free surface and the air; 0: insulated");
+        "heat transfer coefficient between a free surface and the air; 0: insulated");
 }
 
 struct IceParams {
@@ -216,17 +218,18 @@ struct IceParams {
 template <class Visitor>
 void describe(IceParams& p, Visitor&& visit) {
   visit("density_ratio", p.density_ratio, Range{0.5, 2.0},
-        "density of ice over that of water: below 1 freezing water expands and ice floats");
-  visit("friction", p.friction, Range{0.0, 10.0}, "Coulomb coefficient of ice on ice");
+        "density of ice divided by that of water; below 1, freezing water expands and ice floats");
+  visit("friction", p.friction, Range{0.0, 10.0}, "Coulomb friction coefficient of ice on ice");
   visit("stick_to_cold", p.stick_to_cold,
         "whether water that freezes on a wall sticks to it until it melts");
-  visit("sleep_speed_m_s", p.sleep_speed_m_s, Range{0.0, 1.0},
-        "dry ice slower than this for half a second sleeps until something changes; 0: never");
-  visit("compliance_m_n", p.compliance_m_n, Range{0.0, 1.0},
-        "stretch of a spring per newton: 0, or less than 1e-8 in nature: rigid; above 0 the ice is "
-        "elastic");
+  visit(
+      "sleep_speed_m_s", p.sleep_speed_m_s, Range{0.0, 1.0},
+      "dry ice slower than this for half a second sleeps until something changes; 0: never sleeps");
+  visit(
+      "compliance_m_n", p.compliance_m_n, Range{0.0, 1.0},
+      "stretch of a spring per newton; 0: rigid ice; above 0: elastic ice (real ice: below 1e-8)");
   visit("break_strain", p.break_strain, Range{0.0, 10.0},
-        "relative stretch at which a spring of elastic ice breaks; 0: never");
+        "relative stretch at which a spring of elastic ice breaks; 0: never breaks");
 }
 
 struct SteamParams {
@@ -239,12 +242,12 @@ struct SteamParams {
 template <class Visitor>
 void describe(SteamParams& p, Visitor&& visit) {
   visit("rise_speed_m_s", p.rise_speed_m_s, Range{0.0, 100.0},
-        "at which steam rises in still air, on average over its puffs");
-  visit("drag_1_s", p.drag_1_s, Range{0.01, 1e4}, "rate at which it takes on that speed");
+        "mean speed at which steam rises in still air");
+  visit("drag_1_s", p.drag_1_s, Range{0.01, 1e4}, "rate at which steam approaches that speed");
   visit("heat_transfer_w_m2k", p.heat_transfer_w_m2k, Range{0.0, 1e6},
-        "heat transfer between a puff of steam and the air");
+        "heat transfer coefficient between a steam particle and the air");
   visit("condensation_heat_transfer_w_m2k", p.condensation_heat_transfer_w_m2k, Range{0.0, 1e6},
-        "heat transfer between steam and a wall that it touches");
+        "heat transfer coefficient between steam and a wall it touches");
 }
 
 struct LimitParams {
@@ -254,7 +257,7 @@ struct LimitParams {
 template <class Visitor>
 void describe(LimitParams& p, Visitor&& visit) {
   visit("max_particles", p.max_particles, Range{0.0, 1e8},
-        "a scene with more particles is refused before memory is taken");
+        "a scene with more particles is refused before memory is allocated");
 }
 
 }  // namespace ice_ice_baby

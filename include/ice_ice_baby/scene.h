@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ice_ice_baby/collider_params.h"
 #include "ice_ice_baby/params.h"
 
 namespace ice_ice_baby {
@@ -36,45 +37,6 @@ struct Block {
   }
 };
 
-/// Pose whose rotation is Rz(yaw) Ry(pitch) Rx(roll), as REP 103 has it.
-Posed poseOf(const Vec3d& position_m, const Vec3d& rpy_deg);
-
-/// What containers, planes and spheres share.
-struct Collider {
-  std::string name;
-  Vec3d position_m = Vec3d::Zero();
-  Vec3d rpy_deg = Vec3d::Zero();
-  double friction = 0.05;
-  double opacity = 0.2;
-  std::string follow_frame;
-  ThermalBoundary heat = ThermalBoundary::kInsulated;
-  double celsius = 20.0;   ///< of its surface, where heat is kTemperature
-  double flux_w_m2 = 0.0;  ///< into the water, where heat is kFlux
-
-  /// Pose in the scene frame.
-  Posed pose() const { return poseOf(position_m, rpy_deg); }
-};
-
-/// Box that holds water: `position_m` is the centre of its inner floor, `size_m` its inner size.
-struct Container : Collider {
-  Vec3d size_m = Vec3d::Ones();
-  double wall_m = 0.02;
-  bool open_top = true;
-};
-
-/// Ground: everything below the local z = 0. With a size, a plate of that size and thickness.
-struct Plane : Collider {
-  double size_x_m = 0.0;
-  double size_y_m = 0.0;
-  double thickness_m = 0.1;
-
-  bool infinite() const { return size_x_m == 0.0 || size_y_m == 0.0; }
-};
-
-struct Sphere : Collider {
-  double radius_m = 0.1;
-};
-
 /// Temperature set at a time by the scene itself; a set_temperature from outside cancels the rest.
 struct TemperatureEvent {
   double at_s = 0.0;
@@ -87,7 +49,7 @@ struct TemperatureEvent {
   }
 };
 
-struct Scene {
+struct Scene : ColliderLists {
   std::string name = "unnamed";
   std::string description;
   Preset preset = Preset::kDefault;
@@ -103,9 +65,6 @@ struct Scene {
   LimitParams limits;
   std::vector<TemperatureEvent> schedule;
   std::vector<Block> blocks;
-  std::vector<Container> containers;
-  std::vector<Plane> planes;
-  std::vector<Sphere> spheres;
 
   /// Support radius h in m and spacing d in m in force, with 0 resolved.
   double supportRadius_m() const;
@@ -120,7 +79,6 @@ struct Scene {
 };
 
 constexpr Range kGravityRange_m_s2{-1e4, 1e4};
-constexpr Range kCoordinateRange_m{-kMaxCoordinate_m, kMaxCoordinate_m};
 
 /// Particles that the scene spawns. A ball or a cylinder in a box of more than four times
 /// limits.max_particles counts as the whole box: the scene holds too many either way.

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "ice_ice_baby/samples.h"
 #include "ice_ice_baby/scene.h"
+#include "ice_ice_baby/step_report.h"
 
 namespace ice_ice_baby {
 
@@ -23,69 +25,6 @@ struct StageStats {
   std::uint64_t calls = 0;
   double time_s = 0.0;
   std::size_t bytes = 0;  ///< memory that the stage holds now
-};
-
-/// State of the whole scene after a frame. Sums run in particle order, so they have the same bits
-/// for any number of threads.
-struct StepReport {
-  std::uint64_t frame = 0;
-  double time_s = 0.0;
-  std::size_t particles = 0;
-  std::size_t springs = 0;
-  double temperature_c = 0.0;       ///< of the whole scene; with heat that of the air
-  double strictness = 0.0;          ///< 0 liquid ... 1 frozen; with heat the share of ice by mass
-  bool asleep = false;              ///< frozen and at rest: frames cost nothing
-  double density_error_mean = 0.0;  ///< mean of max(rho / rho_0 - 1, 0), the solver's own kernel
-  double density_error_max = 0.0;
-  double kinetic_energy_j = 0.0;
-  double potential_energy_j = 0.0;  ///< against gravity, 0 at the origin
-  double elastic_energy_j = 0.0;    ///< that pressed water and stretched springs give back
-  double max_speed_m_s = 0.0;
-  double rms_speed_m_s = 0.0;
-  std::uint64_t speed_limited = 0;       ///< particles, and bodies of ice, slowed in this frame
-  std::uint64_t correction_limited = 0;  ///< corrections cut to solver.max_correction_h in it
-  std::uint64_t non_finite = 0;  ///< since the start: values repaired because they were not finite
-  int substeps = 0;              ///< that the frame took; 0 asleep
-  double mean_celsius = 0.0;     ///< over the particles; from here on 0 without heat
-  double enthalpy_j = 0.0;       ///< of all particles, 0 for ice at the freezing point
-  double thermal_speedup = 0.0;  ///< seconds of heat that really passed in a simulated second
-  std::size_t ice_bodies = 0;    ///< of rigid ice
-  std::size_t ice_bodies_asleep = 0;
-  std::size_t ice_particles = 0;    ///< that belong to a body, or are joined by springs
-  std::size_t steam_particles = 0;  ///< that have left the density solve
-  double frame_wall_s = 0.0;        ///< time that the frame took to compute
-
-  /// All but the wall clock.
-  template <class Self, class Archive>
-  static void exchange(Self& self, Archive& archive) {
-    archive(self.frame, self.time_s, self.particles, self.springs, self.temperature_c,
-            self.strictness, self.asleep, self.density_error_mean, self.density_error_max,
-            self.kinetic_energy_j, self.potential_energy_j, self.elastic_energy_j,
-            self.max_speed_m_s, self.rms_speed_m_s, self.speed_limited, self.correction_limited,
-            self.non_finite, self.substeps, self.mean_celsius, self.enthalpy_j,
-            self.thermal_speedup, self.ice_bodies, self.ice_bodies_asleep, self.ice_particles,
-            self.steam_particles);
-  }
-};
-
-/// Density of steam over that of water at 100 degrees C and 1 bar: what tells it in a sample.
-constexpr float kSteamDensity = 6e-4f;
-
-/// One particle as the outside sees it.
-struct ParticleSample {
-  float x, y, z;     ///< m
-  float vx, vy, vz;  ///< m/s
-  float temperature_c;
-  float ice_fraction;  ///< 0 water ... 1 ice
-  float density;       ///< relative to rest density, the solver's own kernel; steam: kSteamDensity
-  float pressure_pa;   ///< what the solver's corrections amount to in the latest substep
-  std::uint32_t id;
-};
-
-/// Ends of a spring as positions in m.
-struct SpringSample {
-  float ax, ay, az;
-  float bx, by, bz;
 };
 
 /// A torch or a freezing spray: power spread evenly, by mass, over the particles in a region.

@@ -1,4 +1,4 @@
-// Vectors, poses and units shared by the whole core.
+// Vectors, poses and units.
 //
 // Units are SI, z is up, temperatures are degrees Celsius (REP 103). A dimensional scalar carries
 // its unit in its name (`_m`, `_s`, `_c`, `_kg_m3`). `i` is a particle, `j` its neighbour, `h` the
@@ -19,10 +19,10 @@ using Mat3 = Eigen::Matrix<Real, 3, 3>;
 
 using Vec3d = Vec3<double>;
 
-/// Index of a particle in the cell-sorted state arrays; changes whenever the particles are sorted.
+/// Index of a particle in the state arrays, which changes whenever particles are sorted by cell.
 using Index = std::uint32_t;
 
-/// No particle, body or collider.
+/// Index that means: no particle, body or collider.
 constexpr Index kNone = ~Index(0);
 
 /// Pose of a body in the scene frame: a point p of the body is at `position + rotation * p`.

@@ -1,11 +1,11 @@
-// How every service answers: success, or why not.
+// The answer of a service: success, or the reason for a refusal.
 #pragma once
 
 #include <exception>
 
 namespace ice_ice_baby {
 
-/// Runs `work` and answers with what it returns, or with why it was refused.
+/// Runs `work`. The message is what it returns, or the text of the exception it throws.
 template <class Response, class Work>
 bool answer(Response& response, const Work& work) {
   try {

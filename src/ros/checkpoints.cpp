@@ -13,6 +13,7 @@ namespace ice_ice_baby {
 
 namespace {
 
+/// Interval between checks whether the node ends.
 constexpr std::chrono::milliseconds kLook{50};
 
 }  // namespace
@@ -50,6 +51,7 @@ Checkpoints::Status Checkpoints::status() const {
 bool Checkpoints::save(Save::Request& request, Save::Response& response) {
   return answer(response, [&] {
     folder_.requireFree(request.name);
+    folder_.create();
     const std::string bytes = encoded();
     try {
       const std::lock_guard<std::mutex> lock(writing_);
@@ -95,10 +97,11 @@ void Checkpoints::autosave() {
     const std::lock_guard<std::mutex> lock(writing_);
     note(folder_.autosave(bytes), "");
   } catch (const std::exception& e) {
-    const bool told = status().problem == e.what();
+    const bool logged = status().problem == e.what();
     note("", e.what());
-    if (!told && !ending())
-      ROS_ERROR("No checkpoint was made, the simulation goes on: %s", e.what());
+    if (!logged && !ending()) {
+      ROS_ERROR("Autosave failed, the simulation goes on: %s", e.what());
+    }
   }
 }
 
@@ -113,7 +116,7 @@ std::string Checkpoints::encoded() {
     }
   });
   while (bytes.wait_for(kLook) != std::future_status::ready) {
-    if (ending()) throw InvalidInput("the node ends before the frame under way does");
+    if (ending()) throw InvalidInput("the node is shutting down");
   }
   return bytes.get();
 }

@@ -19,15 +19,15 @@
 
 namespace ice_ice_baby {
 
-/// The simulation's thread encodes between two frames, which is one pass over memory; what waits
-/// for the disk are threads of this class alone, so neither frames nor other services do.
+/// The simulation's thread encodes a checkpoint between two frames, in one pass over memory. Only
+/// threads of this class wait for the disk, so neither frames nor other services do.
 class Checkpoints {
  public:
-  /// @param node of the private names @param resumed what the node started from
+  /// @param node with the private names @param resumed what the node started from
   Checkpoints(ros::NodeHandle node, const NodeParameters& parameters,
               const CheckpointFolder& folder, const Resumption& resumed,
               SimulationThread& simulation);
-  /// Waits for a file under way, not for the simulation.
+  /// Waits for a file that is being written, not for the simulation.
   ~Checkpoints();
 
   /// Full names of the services.
@@ -35,10 +35,10 @@ class Checkpoints {
 
   struct Status {
     std::string folder;
-    std::string latest;   ///< what was saved last, or resumed from
-    std::string resumed;  ///< what the node started from, "": from the scene
-    std::string problem;  ///< why the latest attempt to save failed, "" while all is well
-    std::vector<std::string> broken;  ///< that could not be resumed from
+    std::string latest;               ///< saved last, or resumed from
+    std::string resumed;              ///< what the node started from, "": the scene
+    std::string problem;              ///< why the latest save failed, "" if it did not
+    std::vector<std::string> broken;  ///< checkpoints that could not be resumed
     std::uint64_t saved = 0;
   };
   Status status() const;
@@ -48,8 +48,8 @@ class Checkpoints {
   bool load(Load::Request& request, Load::Response& response);
   void autosave();
   void autosaveEvery(double period_s);
-  /// The bytes of the simulation as it is after the frame under way.
-  /// @throws InvalidInput when 1000 commands wait, or the node ends
+  /// The simulation after the frame under way, encoded.
+  /// @throws InvalidInput if 1000 commands wait, or if the node ends
   std::string encoded();
   bool ending() const;
   void note(const std::string& saved, const std::string& problem);
@@ -57,7 +57,7 @@ class Checkpoints {
   const CheckpointFolder folder_;
   const int threads_;
   SimulationThread& simulation_;
-  std::mutex writing_;  ///< one file at a time
+  std::mutex writing_;  ///< held while a file is written
 
   mutable std::mutex mutex_;  ///< guards what follows, up to status_
   std::condition_variable changed_;

@@ -42,8 +42,8 @@ ClockPublisher::ClockPublisher(ros::NodeHandle& node, bool wanted)
   publisher_ = node.advertise<rosgraph_msgs::Clock>(kClock, 10);
   if (!ros::Time::isSimTime()) {
     ROS_WARN(
-        "~publish_clock is true, but /use_sim_time was not when the node started: stamps are "
-        "the machine's time. Set /use_sim_time before starting any node.");
+        "~publish_clock is true, but /use_sim_time was not when the node started, so messages "
+        "carry the machine's time. Set /use_sim_time before starting any node.");
   }
 }
 
@@ -68,8 +68,8 @@ void ClockPublisher::checkConflict() {
   const std::string other = otherClock();
   if (other.empty()) return;
   ROS_ERROR(
-      "~publish_clock is true, but %s publishes /clock already; this node stays silent. Stop "
-      "the other clock and start this node again.",
+      "~publish_clock is true, but %s publishes /clock already, so this node does not. Stop "
+      "that node and restart this one.",
       other.c_str());
   const std::lock_guard<std::mutex> lock(mutex_);
   conflict_ = other;

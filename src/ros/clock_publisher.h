@@ -1,4 +1,4 @@
-// The stamp of messages, and simulated time on /clock where the user asked for it.
+// Time stamps of messages, and simulated time on /clock with ~publish_clock.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -9,25 +9,26 @@
 
 namespace ice_ice_baby {
 
-/// The clock starts at the machine's time, so that it does not go back when the node starts again,
-/// runs on over resets and stands still while paused. One clock per system: while another node
-/// publishes /clock this one stays silent, until the node starts again.
+/// The clock starts at the machine's time, so that it does not go back when the node restarts. It
+/// continues over resets and stops while paused. If another node publishes /clock, this one does
+/// not, until it is restarted.
 class ClockPublisher {
  public:
   /// @param wanted false: stamps are ros::Time::now() and nothing is published
   ClockPublisher(ros::NodeHandle& node, bool wanted);
 
-  /// Stamp of what is published now.
+  /// Stamp for messages published now.
   ros::Time stamp() const;
 
   /// Publishes at most 100 times a second. @param simulated_s since the node started
   void tick(double simulated_s);
 
-  /// Asks the master who else publishes /clock, and falls silent if somebody does. May wait.
+  /// Asks the master for other publishers of /clock and stops publishing if there is one. May
+  /// block.
   void checkConflict();
 
   bool wanted() const { return wanted_; }
-  /// Name of the other publisher, "" where there is none.
+  /// Name of the other publisher of /clock, "" if there is none.
   std::string conflict() const;
 
  private:

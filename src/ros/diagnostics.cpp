@@ -9,16 +9,15 @@ namespace {
 
 using Level = diagnostic_msgs::DiagnosticStatus;
 
-/// Below this part of the wanted real-time factor the machine counts as overloaded.
+/// Below this fraction of the requested real-time factor the machine is overloaded.
 constexpr double kKeepsUp = 0.9;
 
-/// A splash cuts single corrections; more than this part of them in a frame tells of a solver that
-/// cannot keep up.
+/// A splash limits a few corrections; a larger fraction of them in a frame means too few substeps.
 constexpr double kManyCut = 0.01;
 
 constexpr const char* kClockMissed =
-    "waits for /clock: /use_sim_time is true, but nobody publishes it. Start what does, or start "
-    "this node with publish_clock, or with /use_sim_time false";
+    "waiting for /clock: /use_sim_time is true, but no node publishes /clock. Start one that does, "
+    "or restart this node with ~publish_clock true or /use_sim_time false";
 
 }  // namespace
 
@@ -51,49 +50,46 @@ void Diagnostics::solver(Status& status) {
   refused_ = now.refused;
   status.summary(Level::OK, now.paused ? "paused" : "running");
   if (limited > 0) {
-    status.summary(Level::WARN,
-                   "the speed limit acts; raise solver.max_speed_m_s or solver.substeps, or move "
-                   "colliders more slowly");
+    status.summary(
+        Level::WARN,
+        "particles reach the speed limit; raise solver.max_speed_m_s or solver.substeps, or "
+        "move colliders more slowly");
   }
   if (report.correction_limited > kManyCut * double(report.particles) * report.substeps) {
     status.mergeSummary(Level::WARN,
-                        "corrections are cut short, so the water is softer than it should be; "
-                        "raise solver.substeps");
+                        "corrections are limited, so the water is too compressible; raise "
+                        "solver.substeps");
   }
   if (report.non_finite > 0) {
-    status.summary(Level::WARN, "values that were not finite were repaired; raise solver.substeps");
+    status.summary(Level::WARN, "non-finite values were repaired; raise solver.substeps");
   }
   if (refused > 0) {
-    status.mergeSummary(Level::WARN, "a command came to nothing: " + now.refusal);
+    status.mergeSummary(Level::WARN, "an accepted command failed: " + now.refusal);
   }
   addHeat(status, now);
   if (!now.failure.empty()) {
     status.summary(Level::ERROR, "paused because a frame failed: " + now.failure);
   }
   status.add("scene", now.scene);
-  status.add("particles", report.particles);
-  status.add("springs", report.springs);
-  status.add("temperature [degrees C]", report.temperature_c);
-  status.add("density error, mean", report.density_error_mean);
-  status.add("density error, maximum", report.density_error_max);
+  describe(report,
+           [&](const char* name, const auto& value, const char*) { status.add(name, value); });
   status.add("speed limited since the last message", limited);
   status.add("corrections cut since the last message", cut);
-  status.add("not finite, repaired", report.non_finite);
 }
 
 void Diagnostics::speed(Status& status) {
   const Snapshot now = of_.simulation.snapshot();
   const bool watched = !now.paused && wanted_factor_ > 0.0 && now.report.frame > 1;
   if (watched && now.real_time_factor < kKeepsUp * wanted_factor_) {
-    status.summary(Level::WARN, "slower than wanted: real-time factor " +
+    status.summary(Level::WARN, "slower than requested: real-time factor " +
                                     numberText(now.real_time_factor) + " of " +
                                     numberText(wanted_factor_) +
                                     "; use fewer particles, substeps or iterations");
   } else {
-    status.summary(Level::OK, now.paused ? "paused" : "keeps up");
+    status.summary(Level::OK, now.paused ? "paused" : "on time");
   }
   status.add("real-time factor", now.real_time_factor);
-  status.add("real-time factor wanted", wanted_factor_);
+  status.add("real-time factor requested", wanted_factor_);
   status.add("frame [ms]", 1e3 * now.report.frame_wall_s);
   for (const StageStats& stage : now.stages) {
     const double frames = now.report.frame > 0 ? double(now.report.frame) : 1.0;
@@ -102,7 +98,7 @@ void Diagnostics::speed(Status& status) {
 }
 
 void Diagnostics::topics(Status& status) {
-  status.summary(Level::OK, "nothing is built while nobody subscribes");
+  status.summary(Level::OK, "messages are built only for topics with subscribers");
   for (const TopicLoad& load : of_.topics.loads()) {
     status.add(load.name + " subscribers", load.subscribers);
     status.add(load.name + " messages", load.messages);
@@ -125,7 +121,7 @@ void Diagnostics::clock(Status& status) {
   const bool missed = ros::Time::isSimTime() && !ros::Time::isValid();
   status.summary(Level::OK, of_.clock.wanted() ? "this node publishes /clock" : "follows /clock");
   if (!other.empty()) {
-    status.summary(Level::ERROR, other + " publishes /clock already; this node stays silent");
+    status.summary(Level::ERROR, other + " publishes /clock already, so this node does not");
   } else if (missed) {
     status.summary(Level::WARN, kClockMissed);
     if (!clock_missed_) ROS_WARN("%s", kClockMissed);
@@ -137,11 +133,11 @@ void Diagnostics::checkpoints(Status& status) {
   const Checkpoints::Status now = of_.checkpoints.status();
   status.summary(Level::OK, now.latest.empty() ? "none yet" : "latest: " + now.latest);
   if (!now.broken.empty()) {
-    const std::string start = now.resumed.empty() ? "the scene started instead"
+    const std::string start = now.resumed.empty() ? "started the scene instead"
                                                   : "resumed from " + now.resumed + " instead";
     status.summary(Level::WARN, start + ": " + joined(now.broken));
   }
-  if (!now.problem.empty()) status.summary(Level::ERROR, "nothing was saved: " + now.problem);
+  if (!now.problem.empty()) status.summary(Level::ERROR, "the latest save failed: " + now.problem);
   status.add("folder", now.folder);
   status.add("saved since the start", now.saved);
 }

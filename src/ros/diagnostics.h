@@ -1,4 +1,4 @@
-// What an operator should know, on /diagnostics.
+// The state of the node on /diagnostics.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -12,7 +12,7 @@
 
 namespace ice_ice_baby {
 
-/// What there is to tell of.
+/// What diagnostics read.
 struct Diagnosed {
   const SimulationThread& simulation;
   const Frames& frames;
@@ -23,7 +23,7 @@ struct Diagnosed {
 
 class Diagnostics {
  public:
-  /// @param name of the node @param node, node_private whose queue runs the timer
+  /// @param node, node_private their callback queue runs the timer
   Diagnostics(ros::NodeHandle& node, ros::NodeHandle& node_private,
               const NodeParameters& parameters, const Diagnosed& diagnosed);
 

@@ -72,14 +72,14 @@ void Frames::moveFollowers(Simulation& simulation) {
       noteJump(follower, simulation.scene(), from, to);
     } catch (const std::exception& e) {
       lost.push_back("collider " + follower.name + ", which follows tf frame " + follower.frame +
-                     ", stands still: " + e.what());
+                     ", does not move: " + e.what());
     }
   }
   setLost(std::move(lost));
 }
 
-/// tf2 does so at once, but a transform from before the jump that comes after it would then keep
-/// out all newer ones as old; so once more when those on their way have arrived.
+/// tf2 clears its buffer at the jump, but an old transform that arrives afterwards would make it
+/// reject all newer ones. So the buffer is cleared again once late transforms have arrived.
 void Frames::clearAfterJump() {
   const ros::Time now = ros::Time::now();
   if (now < latest_) clear_at_ = ros::WallTime::now() + ros::WallDuration(0.5);
@@ -117,19 +117,19 @@ Frames::Jumps Frames::jumps() const {
 
 void Frames::noteJump(const Follower& follower, const Scene& scene, const Vec3d& from,
                       const Vec3d& to) {
-  const double most_m = scene.solver.max_speed_m_s / scene.solver.frame_rate_hz;
-  const double far_m = (to - from).norm();
-  if (far_m <= most_m) return;
-  const std::string to_mm = numberText(std::round(1e3 * far_m) / 1e3);
+  const double max_m = scene.solver.max_speed_m_s / scene.solver.frame_rate_hz;
+  const double distance_m = (to - from).norm();
+  if (distance_m <= max_m) return;
+  const std::string to_mm = numberText(std::round(1e3 * distance_m) / 1e3);
   const std::lock_guard<std::mutex> lock(mutex_);
   jumps_.count += 1;
   jumps_.latest = "collider " + follower.name + " jumped " + to_mm + " m with tf frame " +
-                  follower.frame + ", and what it holds with it: more than " + numberText(most_m) +
-                  " m in a frame is beyond solver.max_speed_m_s";
+                  follower.frame + " and took its contents along, because it moved more than the " +
+                  numberText(max_m) + " m per frame that solver.max_speed_m_s allows";
 }
 
 void Frames::setLost(std::vector<std::string> lost) {
-  // A throttled log would say nothing before the first tick of a simulated clock.
+  // Not throttled: a throttled log is silent until a simulated clock ticks.
   if (lost.size() > lost_.size()) ROS_WARN("%s", joined(lost).c_str());
   const std::lock_guard<std::mutex> lock(mutex_);
   lost_ = std::move(lost);

@@ -1,4 +1,4 @@
-// tf: where the scene and its colliders stand, and colliders that follow a frame.
+// tf frames of the scene and its colliders, and colliders that follow a tf frame.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -15,34 +15,34 @@
 
 namespace ice_ice_baby {
 
-/// Publishes frame_id -> scene_frame and colliders that stay on /tf_static, colliders that follow a
-/// frame on /tf. Listens to tf only while the scene has a follower.
+/// Publishes frame_id -> scene_frame and fixed colliders on /tf_static, colliders that follow a
+/// frame (followers) on /tf. Listens to tf only while the scene has a follower.
 class Frames {
  public:
   Frames(ros::NodeHandle& node, const NodeParameters& parameters);
 
-  /// The scene stands at its start; never waits, as the next two.
+  /// A scene is at its start. Like the next two functions, it does not block.
   void sceneStarted(const Simulation& simulation, const ros::Time& stamp);
 
-  /// Moves each follower to where its frame is now, if tf knows.
+  /// Moves each follower to the present pose of its frame, if tf has one.
   void moveFollowers(Simulation& simulation);
 
-  /// Publishes where the followers are. @returns whether one has moved since the last call
+  /// Publishes the poses of the followers. @returns whether one has moved since the last call
   bool publishFollowers(const Simulation& simulation, const ros::Time& stamp);
 
-  /// One line per follower that stands still because tf does not know its frame, or because its
-  /// pose cannot be used, and per frame that tf refuses.
+  /// One line per follower that does not move because its frame is missing or its pose is invalid,
+  /// and per frame that tf rejects.
   std::vector<std::string> lost() const;
 
-  /// Followers that went further in a frame than the speed limit, so that they jumped.
+  /// Followers that moved faster than solver.max_speed_m_s, which makes them jump.
   struct Jumps {
     std::uint64_t count = 0;  ///< since the node started
-    std::string latest;       ///< which, how far
+    std::string latest;       ///< collider and distance
   };
   Jumps jumps() const;
 
  private:
-  /// A collider and the frame that it is fixed to, at the pose that the scene gives it there.
+  /// A collider that is fixed to a tf frame, at `offset` in it.
   struct Follower {
     std::string name;
     std::string frame;
@@ -51,10 +51,10 @@ class Frames {
   };
 
   std::string frameOf(const std::string& collider) const { return scene_frame_ + "/" + collider; }
-  /// Forgets transforms from before a jump back of ROS time.
+  /// Drops transforms from before ROS time jumped back.
   void clearAfterJump();
   void setLost(std::vector<std::string> lost);
-  /// @param from, to of a frame
+  /// @param from, to positions before and after one frame
   void noteJump(const Follower& follower, const Scene& scene, const Vec3d& from, const Vec3d& to);
 
   const std::string parent_;
@@ -62,7 +62,7 @@ class Frames {
   const Posed scene_pose_;
   ros::Publisher dynamic_;
   ros::Publisher static_;
-  std::vector<Follower> followers_;  ///< the simulation thread's own, as the next two
+  std::vector<Follower> followers_;  ///< simulation's thread, with the next two
   ros::Time latest_;
   ros::WallTime clear_at_;  ///< 0: no jump
 

@@ -1,4 +1,4 @@
-// Vectors and poses of the core as messages, and back.
+// Conversion between vectors and poses of the core and messages.
 #pragma once
 
 #include <geometry_msgs/Point.h>

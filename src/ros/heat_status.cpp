@@ -6,7 +6,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Rounding alone does not make heat slower than wanted.
+/// Tolerance for rounding.
 constexpr double kAsWanted = 0.999;
 
 }  // namespace
@@ -17,17 +17,11 @@ void addHeat(diagnostic_updater::DiagnosticStatusWrapper& status, const Snapshot
   const bool watched = report.frame > 0 && !report.asleep;
   if (watched && report.thermal_speedup < kAsWanted * now.thermal_speedup_wanted) {
     status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN,
-                        "heat runs " + numberText(report.thermal_speedup) + " times as fast, not " +
-                            numberText(now.thermal_speedup_wanted) +
+                        "heat is sped up " + numberText(report.thermal_speedup) +
+                            " times instead of " + numberText(now.thermal_speedup_wanted) +
                             " times; lower thermal.speedup or raise solver.substeps");
   }
-  status.add("temperature, mean [degrees C]", report.mean_celsius);
-  status.add("ice, share by mass", report.strictness);
-  status.add("ice bodies", report.ice_bodies);
-  status.add("ice bodies asleep", report.ice_bodies_asleep);
-  status.add("steam particles", report.steam_particles);
-  status.add("heat speed-up", report.thermal_speedup);
-  status.add("heat speed-up wanted", now.thermal_speedup_wanted);
+  status.add("thermal_speedup_wanted", now.thermal_speedup_wanted);
 }
 
 }  // namespace ice_ice_baby

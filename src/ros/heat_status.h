@@ -1,4 +1,4 @@
-// What an operator should know of a scene with heat.
+// Diagnostics of a scene with heat.
 #pragma once
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
@@ -7,7 +7,7 @@
 
 namespace ice_ice_baby {
 
-/// Adds nothing for a scene without heat. Warns where heat passes slower than the scene asks.
+/// Adds nothing for a scene without heat. Warns if heat is slower than thermal.speedup asks for.
 void addHeat(diagnostic_updater::DiagnosticStatusWrapper& status, const Snapshot& now);
 
 }  // namespace ice_ice_baby

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry.h"
+#include "ice_ice_baby/collider_mesh.h"
 
 namespace ice_ice_baby {
 
@@ -11,15 +12,12 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/// An infinite plane is drawn as large as this.
-constexpr double kDrawnPlane_m = 20.0;
-
 struct Colour {
   float red, green, blue;
 };
 constexpr Colour kGlass{0.60f, 0.75f, 0.85f};
 constexpr Colour kGround{0.55f, 0.55f, 0.55f};
-constexpr Colour kSphere{0.85f, 0.55f, 0.30f};
+constexpr Colour kObject{0.85f, 0.55f, 0.30f};
 constexpr Colour kEdge{0.90f, 0.95f, 1.00f};
 constexpr Colour kSpring{0.20f, 0.45f, 0.85f};
 
@@ -47,90 +45,32 @@ Marker makeMarker(const std_msgs::Header& header, const std::string& name, int i
   return marker;
 }
 
-/// Adds the markers of one collider; `low` and `high` are corners in its own frame.
-class ColliderPainter {
- public:
-  ColliderPainter(const std_msgs::Header& header, const Collider& collider, const Posed& pose,
-                  MarkerArray& array)
-      : header_(header), collider_(collider), pose_(pose), array_(array) {}
+Colour colourOf(Look look) {
+  return look == Look::kGlass ? kGlass : look == Look::kGround ? kGround : kObject;
+}
 
-  void box(const Vec3d& low, const Vec3d& high, Colour colour) {
-    Marker& marker = add(Marker::CUBE, colour, collider_.opacity);
-    marker.pose.position = pointMessage(pose_.toWorld((low + high) / 2));
-    marker.scale = vectorMessage(high - low);
+/// The surface of a collider: rviz draws an ellipsoid smoother than its triangles.
+void fillSurface(const ColliderMesh& mesh, Marker& marker) {
+  if (!mesh.half_axes_m.isZero()) {
+    marker.type = Marker::SPHERE;
+    marker.scale = vectorMessage(2 * mesh.half_axes_m);
+    return;
   }
-
-  void ball(double radius_m) {
-    Marker& marker = add(Marker::SPHERE, kSphere, collider_.opacity);
-    marker.scale = vectorMessage(Vec3d::Constant(2 * radius_m));
+  marker.scale = vectorMessage(Vec3d::Ones());
+  for (const auto& corners : mesh.triangles) {
+    for (const Index k : corners) marker.points.push_back(pointMessage(mesh.vertices[k]));
   }
+}
 
-  void edges(const Vec3d& low, const Vec3d& high) {
-    Marker& marker = add(Marker::LINE_LIST, kEdge, std::min(1.0, 2 * collider_.opacity));
-    marker.scale.x = 0.004 * (high - low).norm();
-    for (int corner = 0; corner < 8; ++corner) {
-      for (int axis = 0; axis < 3; ++axis) {
-        if (corner & (1 << axis)) continue;
-        marker.points.push_back(cornerOf(low, high, corner));
-        marker.points.push_back(cornerOf(low, high, corner | (1 << axis)));
-      }
+void fillEdges(const ColliderMesh& mesh, Marker& marker) {
+  Eigen::AlignedBox3d bounds;
+  for (const auto& edge : mesh.edges) {
+    for (const Index k : edge) {
+      bounds.extend(mesh.vertices[k]);
+      marker.points.push_back(pointMessage(mesh.vertices[k]));
     }
   }
-
- private:
-  Marker& add(int type, Colour colour, double alpha) {
-    Marker marker = makeMarker(header_, collider_.name, next_id_++, type, colour, alpha);
-    marker.pose = poseMessage(pose_);
-    array_.markers.push_back(marker);
-    return array_.markers.back();
-  }
-
-  static geometry_msgs::Point cornerOf(const Vec3d& low, const Vec3d& high, int corner) {
-    return pointMessage({corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
-                         corner & 4 ? high.z() : low.z()});
-  }
-
-  const std_msgs::Header& header_;
-  const Collider& collider_;
-  const Posed pose_;
-  MarkerArray& array_;
-  int next_id_ = 0;
-};
-
-void paint(const Container& container, ColliderPainter& painter) {
-  const double w = container.wall_m;
-  const Vec3d low(-container.size_m.x() / 2, -container.size_m.y() / 2, 0.0);
-  const Vec3d high(container.size_m.x() / 2, container.size_m.y() / 2, container.size_m.z());
-  painter.box({low.x() - w, low.y() - w, -w}, {high.x() + w, high.y() + w, 0.0}, kGlass);
-  painter.box({low.x() - w, low.y() - w, 0.0}, {low.x(), high.y() + w, high.z()}, kGlass);
-  painter.box({high.x(), low.y() - w, 0.0}, {high.x() + w, high.y() + w, high.z()}, kGlass);
-  painter.box({low.x(), low.y() - w, 0.0}, {high.x(), low.y(), high.z()}, kGlass);
-  painter.box({low.x(), high.y(), 0.0}, {high.x(), high.y() + w, high.z()}, kGlass);
-  if (!container.open_top) {
-    painter.box({low.x() - w, low.y() - w, high.z()}, {high.x() + w, high.y() + w, high.z() + w},
-                kGlass);
-  }
-  painter.edges(low, high);
-}
-
-void paint(const Plane& plane, ColliderPainter& painter) {
-  const bool infinite = plane.infinite();
-  const double x = (infinite ? kDrawnPlane_m : plane.size_x_m) / 2;
-  const double y = (infinite ? kDrawnPlane_m : plane.size_y_m) / 2;
-  const double depth = infinite ? 0.01 : plane.thickness_m;
-  painter.box({-x, -y, -depth}, {x, y, 0.0}, kGround);
-}
-
-void paint(const Sphere& sphere, ColliderPainter& painter) { painter.ball(sphere.radius_m); }
-
-template <class Shape>
-void paintAll(const std::vector<Shape>& colliders, const Simulation& simulation,
-              const std_msgs::Header& header, MarkerArray& array) {
-  for (const Shape& collider : colliders) {
-    if (collider.opacity == 0.0) continue;
-    ColliderPainter painter(header, collider, simulation.colliderPose(collider.name), array);
-    paint(collider, painter);
-  }
+  marker.scale.x = 0.004 * bounds.diagonal().norm();
 }
 
 geometry_msgs::Point endMessage(float x, float y, float z) {
@@ -163,13 +103,25 @@ MarkerArray springMarkers(const std::vector<SpringSample>& springs, const std_ms
   return array;
 }
 
-MarkerArray colliderMarkers(const Simulation& simulation, const std_msgs::Header& header) {
+MarkerArray colliderMarkers(const Scene& scene, const std::vector<Posed>& poses,
+                            const std_msgs::Header& header) {
   MarkerArray array;
   array.markers.push_back(deleteAll(header));
-  const Scene& scene = simulation.scene();
-  paintAll(scene.containers, simulation, header, array);
-  paintAll(scene.planes, simulation, header, array);
-  paintAll(scene.spheres, simulation, header, array);
+  auto pose = poses.begin();
+  forEachColliderMesh(scene, {}, [&](const Collider& c, const ColliderMesh& mesh) {
+    const auto add = [&](int id, int type, Colour colour, double alpha) {
+      array.markers.push_back(makeMarker(header, c.name, id, type, colour, alpha));
+      array.markers.back().pose = poseMessage(*pose);
+      return &array.markers.back();
+    };
+    if (c.opacity > 0.0) {
+      fillSurface(mesh, *add(0, Marker::TRIANGLE_LIST, colourOf(mesh.look), c.opacity));
+      if (!mesh.edges.empty()) {
+        fillEdges(mesh, *add(1, Marker::LINE_LIST, kEdge, std::min(1.0, 2 * c.opacity)));
+      }
+    }
+    ++pose;
+  });
   return array;
 }
 

@@ -9,19 +9,20 @@
 
 namespace ice_ice_baby {
 
-/// Points of one line marker at most; rviz stumbles over longer ones.
+/// Maximum number of points of a line marker; rviz has trouble with longer ones.
 constexpr std::size_t kMaxMarkerPoints = 16000;
 
-/// Springs as lines. @param header of every marker @param width_m of a line
-/// @param clear whether what an earlier message drew is deleted first
+/// Springs as lines. @param width_m of a line
+/// @param clear whether the lines of earlier messages are deleted
 visualization_msgs::MarkerArray springMarkers(const std::vector<SpringSample>& springs,
                                               const std_msgs::Header& header, double width_m,
                                               bool clear);
 
-/// Every collider of the scene where it stands now, as translucent as its opacity says: containers
-/// by their walls and edges, planes by a plate, spheres. One of opacity 0 is not drawn. Deletes
-/// what an earlier message drew first.
-visualization_msgs::MarkerArray colliderMarkers(const Simulation& simulation,
+/// Markers of all colliders, as translucent as their opacity says: their surfaces, and the edges of
+/// containers. Colliders of opacity 0 are left out. The first marker deletes what an
+/// earlier message drew.
+/// @param poses of the colliders of `scene`, in the order of forEachCollider
+visualization_msgs::MarkerArray colliderMarkers(const Scene& scene, const std::vector<Posed>& poses,
                                                 const std_msgs::Header& header);
 
 }  // namespace ice_ice_baby

@@ -27,7 +27,7 @@ XmlRpcValue requestOf(const std::vector<std::string>& arguments) {
   return request;
 }
 
-/// Calls the master without waiting for it. @returns whether it answered with success
+/// Calls the master once, without waiting until it is reachable. @returns whether it succeeded
 bool callMaster(const std::string& method, const std::vector<std::string>& arguments,
                 XmlRpcValue& payload) {
   XmlRpcValue response;
@@ -36,8 +36,8 @@ bool callMaster(const std::string& method, const std::vector<std::string>& argum
 
 std::string ownUri() { return ros::XMLRPCManager::instance()->getServerURI(); }
 
-/// Calls the node's own slave API, where roscpp tells what it has registered.
-/// @returns the payload, a list, empty if there was no answer
+/// Calls the node's own slave API, which lists what roscpp has registered.
+/// @returns the payload, a list; empty if there was no answer
 XmlRpcValue callSelf(const std::string& method, const XmlRpcValue& request) {
   std::string host;
   std::uint32_t port = 0;
@@ -64,7 +64,7 @@ void registerSubscribers() {
     XmlRpcValue publishers;
     const std::string topic = topics[k][0];
     if (!callMaster("registerSubscriber", {topic, topics[k][1], ownUri()}, publishers)) continue;
-    // An empty list would cut connections to publishers that the new master does not know yet.
+    // An empty list would close connections to publishers that the new master does not know yet.
     if (publishers.size() == 0) continue;
     XmlRpcValue update = requestOf({topic});
     update[2] = publishers;
@@ -72,7 +72,7 @@ void registerSubscribers() {
   }
 }
 
-/// Where the process offers its services.
+/// URI of the services of this process.
 std::string serviceUri() {
   return "rosrpc://" + ros::network::getHost() + ":" +
          std::to_string(ros::ConnectionManager::instance()->getTCPPort());
@@ -108,7 +108,7 @@ void MasterWatch::run() {
   while (waitFor2s()) {
     const bool there = ros::master::check();
     if (!there && !away) {
-      ROS_WARN("The ROS master is away; the simulation goes on and waits for it");
+      ROS_WARN("The ROS master does not answer; the simulation goes on");
     }
     away = !there;
     if (away) continue;
@@ -122,8 +122,8 @@ bool MasterWatch::waitFor2s() {
   return !changed_.wait_for(lock, std::chrono::seconds(2), [this] { return stopping_; });
 }
 
-/// Whether the master answers, and answers that nobody offers the service, though this node does:
-/// one that shuts down takes its services back itself.
+/// Whether the master answers that it does not know the service. During shutdown that is expected:
+/// the node has then unregistered its services itself.
 bool MasterWatch::forgotten() const {
   XmlRpcValue response, payload;
   const XmlRpcValue request = requestOf({services_.front()});
@@ -134,7 +134,7 @@ bool MasterWatch::forgotten() const {
 }
 
 void MasterWatch::registerAgain() const {
-  ROS_WARN("The ROS master has forgotten this node, as after a restart; registering again");
+  ROS_WARN("The ROS master does not know this node, probably after a restart; registering again");
   registerPublishers();
   registerSubscribers();
   registerServices(services_, service_uri_);

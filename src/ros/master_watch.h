@@ -1,4 +1,4 @@
-// Registers the node again after the master was restarted, which roscpp does not do by itself.
+// Registers the node again after a restart of the master, which roscpp does not do.
 #pragma once
 
 #include <condition_variable>
@@ -10,12 +10,11 @@
 
 namespace ice_ice_baby {
 
-/// Every 2 s asks the master whether it still knows the first of `services`. If it answers no,
-/// registers every publisher, subscriber and service of the process anew, without touching
-/// connections that still stand.
+/// Asks the master every 2 s whether it knows the first of `services`. If not, registers every
+/// publisher, subscriber and service of the process again, and keeps existing connections.
 class MasterWatch {
  public:
-  /// @param services full names @param also called each time that the master is there
+  /// @param services full names @param also called each time the master answers
   MasterWatch(std::vector<std::string> services, std::function<void()> also);
   ~MasterWatch();
 

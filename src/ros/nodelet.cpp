@@ -1,4 +1,4 @@
-// The node inside the process of a nodelet manager, where messages go to other nodelets uncopied.
+// The node as a nodelet: other nodelets of its manager receive messages without a copy.
 #include <nodelet/nodelet.h>
 
 #include <memory>

@@ -8,7 +8,7 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-/// Control characters as \x0a, which YAML takes for the character: raw ones it would fold or drop.
+/// Control characters become escapes such as \x0a; YAML would fold or drop raw ones.
 std::string quoted(const std::string& text) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string out = "\"";
@@ -41,7 +41,7 @@ std::string mapText(const XmlRpcValue& map, const std::string& key) {
   return out + "}";
 }
 
-/// More than this is no scene that a person has written.
+/// Far above any scene written by hand.
 constexpr std::size_t kMostText = 1000000;
 
 std::size_t textOf(const std::vector<Override>& overrides) {

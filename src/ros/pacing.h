@@ -1,4 +1,4 @@
-// When the next frame is due, and how fast simulated time has run.
+// When the next frame or message is due, and the real-time factor.
 #pragma once
 
 #include <ros/time.h>
@@ -12,19 +12,19 @@ namespace ice_ice_baby {
 
 using WallClock = std::chrono::steady_clock;
 
-/// Holds frames to a clock: the machine's own, or ROS time that another node publishes. Time lost
-/// to slow frames or a pause is dropped, not caught up. When ROS time stands still, so do the
-/// frames; when it jumps back, they go on from there. Nothing but a shorter interval makes a frame
-/// due sooner, so that commands, however many, do not hurry the frames.
+/// Paces frames by the machine's clock, or by ROS time that another node publishes. Time lost to
+/// slow frames or a pause is not caught up. Frames stop while ROS time stands still, and continue
+/// from the new time when it jumps back. Only a shorter interval makes a frame due sooner, so
+/// commands never speed frames up.
 class Pacer {
  public:
-  /// @param interval_s between two frames, 0: always due @param ros_time follow ros::Time
+  /// @param interval_s between frames, 0: always due @param ros_time whether to follow ros::Time
   Pacer(double interval_s, bool ros_time) : interval_s_(interval_s), ros_time_(ros_time) {}
 
-  /// Counts from now, where that is sooner than what was due.
+  /// The next frame is due at the latest one interval from now.
   void setInterval(double interval_s);
 
-  /// Seconds until the next frame, 0 when it is due now, as the first is.
+  /// Seconds until the next frame; 0 if it is due, as the first one always is.
   double remaining();
 
   /// Counts a frame that begins now.
@@ -39,11 +39,11 @@ class Pacer {
   double latest_s_ = 0.0;
 };
 
-/// Simulated over wall time in the latest second.
+/// Ratio of simulated to wall time over the latest second.
 class RealTimeFactor {
  public:
   void add(WallClock::time_point now, double simulated_s);
-  /// Frames stopped: 0 from now on.
+  /// Frames have stopped, so the factor is 0.
   void clear() { samples_.clear(); }
   double value() const;
 
@@ -51,14 +51,15 @@ class RealTimeFactor {
   std::deque<std::pair<WallClock::time_point, double>> samples_;
 };
 
-/// Lets through at most `rate_hz` messages per second of wall time, on average exactly that when
-/// asked more often.
+/// Allows at most `rate_hz` messages per second of wall time, and on average that many if asked
+/// more often.
 class RateGate {
  public:
   explicit RateGate(double rate_hz) : rate_hz_(rate_hz) {}
 
   bool off() const { return rate_hz_ <= 0.0; }
-  /// Whether a message may go out now, which is then counted. @param urgent it must, whatever rate
+  /// Whether a message may go out now; if so, it is counted. @param urgent whether to ignore the
+  /// rate
   bool pass(WallClock::time_point now, bool urgent);
   WallClock::time_point latest() const { return latest_; }
 

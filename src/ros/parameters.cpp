@@ -199,8 +199,9 @@ std::string parameterTable() {
   NodeParameters defaults;
   TableWriter writer;
   describe(defaults, writer);
-  writer.row("overrides", "{}", "any key of a scene file",
-             "tree of keys that hold over every scene, as overrides/solver/iterations");
+  writer.row(
+      "overrides", "{}", "any key of a scene file",
+      "tree of keys that replace those of every scene, for example overrides/solver/iterations");
   return "| parameter | default | range | unit | meaning |\n| --- | --- | --- | --- | --- |\n" +
          writer.text();
 }

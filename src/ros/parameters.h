@@ -1,4 +1,4 @@
-// The node's private parameters: each once, with default, range and meaning.
+// Private parameters of the node: each once, with default, range and meaning.
 #pragma once
 
 #include <XmlRpcValue.h>
@@ -36,57 +36,59 @@ struct NodeParameters {
   std::string checkpoint_folder;
   double autosave_s = 0.0;
   bool resume = false;
-  std::vector<Override> overrides;  ///< tree `~overrides`: keys of a scene file, over every scene
+  std::vector<Override> overrides;  ///< tree `~overrides`: keys that replace those of every scene
 };
 
-/// Lists every parameter but the tree of overrides, in the order of the README; see params.h.
+/// Lists every parameter except the tree of overrides, in the order of doc/ros_interface.md; see
+/// params.h.
 template <class Visitor>
 void describe(NodeParameters& p, Visitor&& visit) {
   visit("scene", p.scene, "name of a scene, or path of a .yaml file");
-  visit("preset", p.preset, "default or paper; \"\": as the scene has it");
+  visit("preset", p.preset, "default or paper; \"\": the preset of the scene");
   visit("precision", p.precision, "float or double");
-  visit("threads", p.threads, Range{0, 1024}, "threads of the solver; 0: all of the machine's");
+  visit("threads", p.threads, Range{0, 1024}, "number of solver threads; 0: one per core");
   visit("real_time_factor", p.real_time_factor, Range{0.0, 1000.0},
-        "simulated over wall time to hold; 0: as fast as the machine can");
-  visit("start_paused", p.start_paused, "whether to wait for resume or step");
-  visit("frame_id", p.frame_id, "tf frame in which the scene stands");
+        "ratio of simulated to wall time; 0: as fast as possible");
+  visit("start_paused", p.start_paused, "whether to start paused, until resume or step is called");
+  visit("frame_id", p.frame_id, "parent tf frame of the scene");
   visit("scene_frame", p.scene_frame,
-        "tf frame of the scene, in which everything is published; colliders are children of it");
-  visit("scene_position_m", p.scene_position_m, Range{-1e6, 1e6}, "of scene_frame in frame_id");
+        "tf frame of the scene and of all published data; parent of the colliders' frames");
+  visit("scene_position_m", p.scene_position_m, Range{-1e6, 1e6},
+        "position of scene_frame in frame_id");
   visit("scene_rpy_deg", p.scene_rpy_deg, Range{-360.0, 360.0},
         "roll, pitch, yaw of scene_frame in frame_id");
   visit("particles_rate_hz", p.particles_rate_hz, Range{0.0, 1000.0},
-        "point clouds per second of wall time, at most one a frame; 0: none");
+        "point clouds per second of wall time, at most one per frame; 0: none");
   visit("particles_stride", p.particles_stride, Range{1, 1000000},
-        "publish every n-th particle, by id");
+        "publish only every n-th particle, by id");
   visit("particles_rgb", p.particles_rgb,
-        "whether a point carries a colour: water blue, with heat by its temperature, ice white, "
-        "steam grey");
+        "whether points carry a colour: water blue, or by temperature with thermal.enabled, ice "
+        "white, steam grey");
   visit("springs_rate_hz", p.springs_rate_hz, Range{0.0, 100.0},
         "spring markers per second of wall time; 0: none");
   visit("springs_max", p.springs_max, Range{0, 5000000},
-        "springs drawn at most, the rest evenly left out");
+        "maximum number of springs drawn; the others are left out evenly");
   visit("state_rate_hz", p.state_rate_hz, Range{0.0, 1000.0},
-        "state messages per second of wall time, at most one a frame; 0: none");
+        "state messages per second of wall time, at most one per frame; 0: none");
   visit("diagnostic_period", p.diagnostic_period, Range{0.1, 3600.0},
-        "seconds between two messages on /diagnostics");
+        "interval between two messages on /diagnostics");
   visit("publish_clock", p.publish_clock,
-        "whether simulated time is published on /clock; refused while another node does");
-  visit(
-      "checkpoint_folder", p.checkpoint_folder,
-      "where save and load keep checkpoints, and nowhere else; \"\": ~/.ros/ice_ice_baby/ and the "
-      "name of the node");
+        "whether to publish simulated time on /clock; refused if another node publishes it");
+  visit("checkpoint_folder", p.checkpoint_folder,
+        "the only folder that save and load use; \"\": ~/.ros/ice_ice_baby/ and the name of the "
+        "node");
   visit("autosave_s", p.autosave_s, Range{0.0, 86400.0},
-        "wall time between two checkpoints by itself, of which two are kept; 0: none");
-  visit("resume", p.resume,
-        "whether to start from the newest whole checkpoint in that folder, where there is one");
+        "wall time between two automatic checkpoints; the last two are kept; 0: none");
+  visit(
+      "resume", p.resume,
+      "whether to start from the newest complete checkpoint in checkpoint_folder, if there is one");
 }
 
 /// Reads the tree of private parameters.
 /// @throws InvalidInput naming an unknown parameter, or the value and what is allowed
 NodeParameters readParameters(const XmlRpc::XmlRpcValue& tree);
 
-/// What `scene` of the node and of a reset is loaded with: the overrides, and the preset unless "".
+/// Overrides with which the node and the reset service load a scene; the preset too, unless "".
 std::vector<Override> overridesFor(const NodeParameters& parameters, const std::string& preset);
 
 /// Markdown table of every parameter: name, default, range, meaning.

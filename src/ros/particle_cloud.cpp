@@ -12,11 +12,12 @@ namespace {
 using sensor_msgs::PointField;
 
 // A point begins with the bytes of a sample, so that points are copied, not converted.
-static_assert(sizeof(ParticleSample) == 44 && offsetof(ParticleSample, vx) == 12 &&
+static_assert(sizeof(ParticleSample) == 48 && offsetof(ParticleSample, vx) == 12 &&
                   offsetof(ParticleSample, temperature_c) == 24 &&
                   offsetof(ParticleSample, ice_fraction) == 28 &&
                   offsetof(ParticleSample, density) == 32 &&
-                  offsetof(ParticleSample, pressure_pa) == 36 && offsetof(ParticleSample, id) == 40,
+                  offsetof(ParticleSample, pressure_pa) == 36 &&
+                  offsetof(ParticleSample, id) == 40 && offsetof(ParticleSample, phase) == 44,
               "the fields below name other bytes than ParticleSample holds");
 
 PointField field(const char* name, std::uint32_t offset, std::uint8_t type) {
@@ -36,8 +37,9 @@ std::vector<PointField> fields(bool rgb) {
     out.push_back(field(name, offset, PointField::FLOAT32));
     offset += 4;
   }
-  out.push_back(field("id", offset, PointField::UINT32));
-  if (rgb) out.push_back(field("rgb", offset + 4, PointField::FLOAT32));
+  out.push_back(field("id", offsetof(ParticleSample, id), PointField::UINT32));
+  out.push_back(field("phase", offsetof(ParticleSample, phase), PointField::UINT8));
+  if (rgb) out.push_back(field("rgb", sizeof(ParticleSample), PointField::FLOAT32));
   return out;
 }
 

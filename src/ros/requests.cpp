@@ -10,7 +10,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// @throws InvalidInput for a shape that no heated region has
+/// @throws InvalidInput for any shape but box and sphere
 BlockShape shapeOf(const std::string& name) {
   if (name == "box") return BlockShape::kBox;
   if (name == "sphere") return BlockShape::kSphere;

@@ -1,4 +1,4 @@
-// What a service request asks for, in the words of the core.
+// Service requests as arguments of the core.
 #pragma once
 
 #include <ice_ice_baby/HeatRegion.h>
@@ -9,11 +9,11 @@
 
 namespace ice_ice_baby {
 
-/// @throws InvalidInput for a path as for an unknown name: files are the operator's to choose, not
-/// those of whoever reaches the service
+/// @throws InvalidInput for an unknown name or a path; only the operator of the node may choose
+/// files, not the caller of a service
 void requireSceneName(const std::string& name);
 
-/// @throws InvalidInput for a shape that no heated region has; the numbers are not checked
+/// Does not check the numbers. @throws InvalidInput for any shape but box and sphere
 HeatedRegion regionOf(const HeatRegion::Request& request);
 
 }  // namespace ice_ice_baby

@@ -18,41 +18,42 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// A frame longer than this does not hold up the end of the process.
+/// Shutdown waits this long for the frame under way.
 constexpr double kPatience_s = 1.0;
-/// Nor does a master that accepts connections and never answers, in which roscpp would wait.
-constexpr unsigned kLongestEnd_s = 3;
+/// Longest shutdown: roscpp would wait forever for a master that accepts connections and never
+/// answers.
+constexpr unsigned kMaxShutdown_s = 3;
 
 constexpr const char* kUsage =
     "Usage: rosrun ice_ice_baby simulation_node [_parameter:=value ...]\n"
-    "Serves a scene of water that freezes and melts. `--parameters` lists the parameters.\n";
+    "Serves a simulation of water that freezes and melts. `--parameters` lists the parameters.\n";
 
-/// ros::init may wait for the master, and until ros::start nothing listens to signals.
+/// Until ros::start, which may follow a long wait for the master, roscpp handles no signals.
 void endAtOnce(int) { _exit(EXIT_SUCCESS); }
 
 void endInOrder(int) {
-  alarm(kLongestEnd_s);
+  alarm(kMaxShutdown_s);
   ros::requestShutdown();
 }
 
 void endTooLate(int) {
-  constexpr char kWhy[] = "The ROS master does not answer; ending without taking leave of it\n";
+  constexpr char kWhy[] = "The ROS master does not answer; ending without unregistering\n";
   if (write(STDERR_FILENO, kWhy, sizeof kWhy - 1) < 0) _exit(EXIT_FAILURE);
   _exit(EXIT_SUCCESS);
 }
 
-void listenToSignals() {
+void handleSignals() {
   std::signal(SIGALRM, endTooLate);
   std::signal(SIGINT, endInOrder);
   std::signal(SIGTERM, endInOrder);
 }
 
-/// Ends the process in order; does not return where a frame is under way for long.
+/// Ends the process cleanly, or at once if a frame takes too long; does not return then.
 int end(std::unique_ptr<SimulationNode> node, int code) {
-  alarm(kLongestEnd_s);
+  alarm(kMaxShutdown_s);
   const bool ended = node->stop(kPatience_s);
   std::fflush(nullptr);
-  if (!ended) std::_Exit(code);  // the frame has nothing left to save
+  if (!ended) std::_Exit(code);  // the unfinished frame is not needed
   node.reset();
   return code;
 }
@@ -77,7 +78,7 @@ int runNode(int argc, char** argv) {
     return EXIT_FAILURE;
   }
   ros::start();  // takes over SIGINT, and waits for the master
-  listenToSignals();
+  handleSignals();
   if (!ros::ok()) return EXIT_SUCCESS;
   const Successor successor;
   std::unique_ptr<SimulationNode> node;

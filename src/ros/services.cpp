@@ -13,7 +13,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// What a temperature is set of, in words.
+/// What set_temperature acts on, for messages.
 std::string targetText(const Scene& scene, const std::string& target) {
   if (!target.empty()) return "collider " + target;
   return scene.thermal.enabled ? "air" : "the whole scene";
@@ -22,6 +22,17 @@ std::string targetText(const Scene& scene, const std::string& target) {
 std::string vectorText(const Vec3d& vector) {
   return "[" + numberText(vector.x()) + ", " + numberText(vector.y()) + ", " +
          numberText(vector.z()) + "]";
+}
+
+/// Fills in the scenes that can be asked for by name; returns why there are none. A node that runs
+/// a scene by its path needs no scene folder.
+std::string listScenes(std::vector<std::string>& scenes) {
+  try {
+    scenes = sceneNames();
+    return "";
+  } catch (const InvalidInput& e) {
+    return e.what();
+  }
 }
 
 }  // namespace
@@ -95,8 +106,9 @@ ServedScene Services::sceneFor(const Reset::Request& request) const {
   const std::string name = request.scene.empty() ? coming->source : request.scene;
   if (name.empty() && request.preset.empty()) return *coming;
   if (name.empty()) {
-    throw InvalidInput("preset = \"" + shortened(request.preset) +
-                       "\" needs the name of a scene: the one that runs came from a checkpoint");
+    throw InvalidInput(
+        "preset = \"" + shortened(request.preset) +
+        "\" needs the name of a scene, because the current one came from a checkpoint");
   }
   const std::string preset = request.preset.empty() ? parameters_.preset : request.preset;
   return {loadScene(name, overridesFor(parameters_, preset)), name};
@@ -128,8 +140,7 @@ bool Services::getState(GetState::Request&, GetState::Response& response) {
   return answer(response, [&] {
     response.state = stateMessage(simulation_.snapshot(), topics_.header(clock_.stamp()));
     response.state.topics = topics_.loads();
-    response.scenes = sceneNames();
-    return std::string();
+    return listScenes(response.scenes);
   });
 }
 

@@ -1,5 +1,5 @@
-// The services. Each checks its request, queues a command and answers without waiting for the
-// solver.
+// The services, except save and load. Each checks its request, queues a command and answers without
+// waiting for the solver.
 #pragma once
 
 #include <ice_ice_baby/GetState.h>
@@ -40,7 +40,7 @@ class Services {
   bool pause(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool resume(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool getState(GetState::Request& request, GetState::Response& response);
-  /// The scene that a reset asks for. @throws InvalidInput for one that there is not
+  /// The scene that a reset asks for. @throws InvalidInput for an unknown scene or preset
   ServedScene sceneFor(const Reset::Request& request) const;
 
   const NodeParameters parameters_;

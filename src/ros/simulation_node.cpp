@@ -17,9 +17,17 @@ NodeParameters parametersOf(const ros::NodeHandle& node) {
   return readParameters(tree);
 }
 
+/// With autosave the folder has to be usable from the start, without it only when save is called.
 CheckpointFolder folderOf(const NodeParameters& parameters, const std::string& node) {
   const std::string& path = parameters.checkpoint_folder;
-  return CheckpointFolder(path.empty() ? defaultCheckpointFolder(node) : path);
+  CheckpointFolder folder =
+      path.empty() ? CheckpointFolder::defaultFor(node) : CheckpointFolder(path);
+  if (parameters.autosave_s > 0.0) {
+    folder.create();
+  } else if (const std::string why = folder.problem(); !why.empty()) {
+    ROS_WARN("The service save will be refused: %s", why.c_str());
+  }
+  return folder;
 }
 
 Resumption resumptionOf(const NodeParameters& parameters, const CheckpointFolder& folder) {
@@ -29,7 +37,7 @@ Resumption resumptionOf(const NodeParameters& parameters, const CheckpointFolder
   return resumed;
 }
 
-/// The scene of `~scene` is read in any case, so that a mistake in it never hides.
+/// ~scene is read even if it is not used, so that a mistake in it is always reported.
 ServedScene sceneOf(const NodeParameters& parameters, const Resumption& resumed) {
   const Scene scene = loadScene(parameters.scene, overridesFor(parameters, parameters.preset));
   if (resumed.simulation) return resumed.simulation->scene();
@@ -58,7 +66,7 @@ SimulationNode::SimulationNode(const ros::NodeHandle& node, const ros::NodeHandl
   spinner_.start();
   const std::string from = resumed_.name.empty() ? "" : ", resumed from " + resumed_.name;
   const StepReport report = simulation_.snapshot().report;
-  ROS_INFO("Scene %s with %zu particles is served under %s%s", scene_.scene.name.c_str(),
+  ROS_INFO("Serving scene %s with %zu particles under %s%s", scene_.scene.name.c_str(),
            report.particles, private_.getNamespace().c_str(), from.c_str());
 }
 
@@ -82,7 +90,7 @@ RunHooks SimulationNode::hooks() {
   RunHooks hooks;
   hooks.started = [this](const Simulation& simulation) {
     frames_.sceneStarted(simulation, clock_.stamp());
-    topics_.sceneStarted(simulation, clock_.stamp());
+    topics_.sceneStarted(simulation);
   };
   hooks.before_frame = [this](Simulation& simulation) { frames_.moveFollowers(simulation); };
   hooks.tick = [this](const Simulation& simulation, const Snapshot& snapshot, bool settled) {

@@ -1,4 +1,4 @@
-// The node: everything between the simulation and ROS, for a process of its own or a nodelet.
+// The node: everything between the simulation and ROS, as a process or a nodelet.
 #pragma once
 
 #include <ros/callback_queue.h>
@@ -20,7 +20,7 @@ namespace ice_ice_baby {
 class SimulationNode {
  public:
   /// Reads the private parameters, builds the scene and serves it.
-  /// @throws InvalidInput naming the parameter or the key, the value and what is allowed
+  /// @throws InvalidInput with the parameter or key, the value and what is allowed
   SimulationNode(const ros::NodeHandle& node, const ros::NodeHandle& node_private);
 
   /// Ends the simulation after the frame under way. @returns whether it ended within `patience_s`

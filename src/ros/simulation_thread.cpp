@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxCommands = 1000;
 constexpr double kMaxSteps = 100000;
-constexpr double kLongestWait_s = 0.05;
+constexpr double kMaxWait_s = 0.05;
 
 double frameTime_s(const Simulation& simulation) {
   return 1.0 / simulation.scene().solver.frame_rate_hz;
@@ -222,7 +222,7 @@ bool SimulationThread::runFrameIfDue() {
   return true;
 }
 
-/// A frame that throws, as when memory runs out, pauses the simulation instead of ending the node.
+/// A frame that throws, for example out of memory, pauses the simulation and does not end the node.
 void SimulationThread::runFrame() {
   latest_.state_hash = 0;
   latest_.changes += 1;
@@ -257,7 +257,7 @@ void SimulationThread::updateSnapshot() {
   if (!latest_.failure.empty()) pause_wanted_ = true;
 }
 
-/// Once for each state in which the simulation stands.
+/// Once per state in which the simulation is paused.
 void SimulationThread::hashState() {
   if (latest_.state_hash != 0) return;
   latest_.state_hash = simulation_->stateHash();
@@ -266,9 +266,9 @@ void SimulationThread::hashState() {
 
 double SimulationThread::waitTime_s() {
   if (steps_left_ > 0) return 0.0;
-  if (latest_.paused) return kLongestWait_s;
+  if (latest_.paused) return kMaxWait_s;
   const double remaining_s = pacer_.remaining();
-  if (!options_.ros_time) return std::min(remaining_s, kLongestWait_s);
+  if (!options_.ros_time) return std::min(remaining_s, kMaxWait_s);
   return std::min(remaining_s, 0.005);  // ROS time may run at any rate, so look often
 }
 

@@ -1,4 +1,4 @@
-// The one thread that owns the simulation: paces it, and applies commands between frames.
+// The thread that owns the simulation: it paces frames and applies commands between them.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@
 
 namespace ice_ice_baby {
 
-/// What others may know of the simulation while it runs: a copy, taken after each frame.
+/// Copy of the simulation's report and settings, taken after each frame for other threads.
 struct Snapshot {
   StepReport report;
   std::vector<StageStats> stages;
@@ -29,98 +29,98 @@ struct Snapshot {
   bool paused = false;
   double real_time_factor = 0.0;
   double simulated_s = 0.0;              ///< since the node started, over every reset
-  std::uint64_t speed_limited = 0;       ///< the same, particles that the speed limit slowed
-  std::uint64_t correction_limited = 0;  ///< the same, corrections that were cut
-  std::string failure;                   ///< why frames stopped, "" while all is well
+  std::uint64_t speed_limited = 0;       ///< particles slowed by the speed limit, likewise
+  std::uint64_t correction_limited = 0;  ///< corrections limited, likewise
+  std::string failure;                   ///< why frames stopped, "" if they did not
   std::uint64_t state_hash = 0;          ///< Simulation::stateHash while paused, 0 while it runs
   std::uint64_t changes = 0;             ///< frames and commands since the node started
-  std::uint64_t refused = 0;             ///< commands that came to nothing after they were accepted
-  std::string refusal;                   ///< why the latest of them did
+  std::uint64_t refused = 0;             ///< commands that failed after they were accepted
+  std::string refusal;                   ///< why the latest of them failed
 };
 
-/// A scene and where it came from.
+/// A scene and its name.
 struct ServedScene {
   ServedScene(Scene from, std::string name = "")
       : scene(std::move(from)), source(std::move(name)) {}
 
   Scene scene;
-  std::string source;  ///< what loadScene was given, "" for the scene of a checkpoint
+  std::string source;  ///< argument of loadScene, "" for the scene of a checkpoint
 };
 
 /// How the thread runs.
 struct RunOptions {
   Precision precision = Precision::kFloat;
-  int threads = 0;                ///< of the solver, 0: all of the machine's
-  double real_time_factor = 1.0;  ///< 0: as fast as the machine can
-  bool ros_time = false;          ///< frames follow ros::Time
+  int threads = 0;                ///< of the solver, 0: one per core
+  double real_time_factor = 1.0;  ///< 0: as fast as possible
+  bool ros_time = false;          ///< whether frames follow ros::Time
   bool start_paused = false;
 };
 
-/// What the thread calls, always from itself.
+/// Functions called on the simulation's thread.
 struct RunHooks {
-  /// A simulation stands at its start: at first and after each reset.
+  /// A simulation starts: the first one, and after each reset and load.
   std::function<void(const Simulation&)> started = [](const Simulation&) {};
   std::function<void(Simulation&)> before_frame = [](Simulation&) {};
-  /// After each frame, and at least every 50 ms. @param settled no frame follows by itself
+  /// After each frame, and at least every 50 ms. @param settled whether no frame follows by itself
   std::function<void(const Simulation&, const Snapshot&, bool settled)> tick =
       [](const Simulation&, const Snapshot&, bool) {};
 };
 
-/// Every command is checked by the caller's thread, against the scene that it will meet, then
-/// queued and applied between two frames, in order; none waits for the solver. A reset that fails
-/// leaves the old simulation running; a command that then fits no more changes nothing.
+/// A command is checked on the caller's thread, against the scene on which it will act, then queued
+/// and applied between two frames, in order; callers do not wait for the solver. If a reset fails,
+/// the old simulation goes on, and queued commands that do not suit it change nothing.
 class SimulationThread {
  public:
   /// Builds the simulation at once and starts the thread.
-  /// @param loaded goes on with this one of `scene`, unless null
+  /// @param loaded simulation of `scene` to continue, null: makes a new one
   /// @throws InvalidInput for a scene or a number of threads that cannot run
   SimulationThread(const ServedScene& scene, const RunOptions& options, RunHooks hooks,
                    std::unique_ptr<Simulation> loaded = nullptr);
-  /// Waits for the frame that is under way.
+  /// Waits for the frame under way.
   ~SimulationThread();
 
-  /// Each throws InvalidInput for a bad value, or when 1000 commands wait already; but pause and
-  /// resume always work.
-  /// @param target as Simulation::setTemperature has it
+  /// Commands throw InvalidInput for a bad value, or if 1000 commands wait already. Pause and
+  /// resume always work. @param target see Simulation::setTemperature
   void setTemperature(double celsius, double ramp_s, const std::string& target = "");
   void heatRegion(const HeatedRegion& region);
   void setGravity(const Vec3d& gravity_m_s2);
-  /// @param scene as loadScene gave it, so already valid
+  /// @param scene from loadScene, so already valid
   void reset(const ServedScene& scene);
-  /// Goes on with `simulation` in place of the one that runs.
+  /// Replaces the simulation by this one.
   void load(std::unique_ptr<Simulation> simulation);
-  /// Calls `look` between two frames, from the simulation's thread.
+  /// Calls `look` between two frames, on the simulation's thread.
   void inspect(std::function<void(const Simulation&)> look);
   void pause();
   void resume();
-  /// Runs frames while paused, as fast as the machine can. @throws InvalidInput unless paused, and
-  /// outside [1, 100000]
+  /// Runs frames while paused, as fast as possible. @throws InvalidInput unless paused, and outside
+  /// [1, 100000]
   void step(std::uint32_t frames);
 
   Snapshot snapshot() const;
 
-  /// The scene that a command meets which is given now: the latest that was asked for.
+  /// The scene on which a command given now will act: the latest one requested.
   std::shared_ptr<const ServedScene> comingScene() const;
 
-  /// Asks the thread to end. @returns whether it did within `patience_s`
+  /// Asks the thread to end. @returns whether it ended within `patience_s`
   bool stop(double patience_s);
 
  private:
-  /// What a command does. Of several kPause in a row only the last counts, so that pause and
-  /// resume find room on a queue however full.
+  /// Of several kPause in a row only the last is kept, so that pause and resume fit into a full
+  /// queue.
   enum class Kind { kChange, kLook, kPause };
   struct Command {
     Kind kind;
     std::function<void()> apply;
   };
 
-  /// @param coming the scene that stands after the command, null: the same as before
+  /// @param coming the scene after the command, null: unchanged
   void post(Kind kind, std::function<void()> apply,
             std::shared_ptr<const ServedScene> coming = nullptr);
   void postPause(bool wanted, std::function<void()> apply);
   void run();
   void install(std::unique_ptr<Simulation> simulation, std::shared_ptr<const ServedScene> scene);
-  /// After a reset to `failed`: unless another waits, commands meet the scene that runs.
+  /// After a failed reset to `failed`: unless another reset waits, commands act on the running
+  /// scene.
   void forgetComing(const std::shared_ptr<const ServedScene>& failed);
   void applyCommands();
   bool runFrameIfDue();
@@ -141,7 +141,7 @@ class SimulationThread {
   std::shared_ptr<const ServedScene> coming_scene_;
   Snapshot snapshot_;
 
-  std::shared_ptr<const ServedScene> scene_;  ///< that runs; from here on: the thread's own
+  std::shared_ptr<const ServedScene> scene_;  ///< running; from here on used by the thread only
   std::unique_ptr<Simulation> simulation_;
   Snapshot latest_;
   Pacer pacer_;

@@ -1,5 +1,8 @@
 #include "state_message.h"
 
+#include <type_traits>
+#include <utility>
+
 #include "geometry.h"
 #include "parameters.h"
 
@@ -12,46 +15,29 @@ std::string choiceName(Choice choice) {
   return choices(choice)[static_cast<std::size_t>(choice)];
 }
 
+/// The message with a member for every name that the report describes.
+struct NamedAsReport : State {
+  double& temperature_c = temperature;
+  double& mean_celsius = mean_temperature;
+};
+
 }  // namespace
 
 State stateMessage(const Snapshot& snapshot, const std_msgs::Header& header) {
-  const StepReport& report = snapshot.report;
-  State state;
+  NamedAsReport state;
+  const auto carry = [](const char*, const auto& reported, auto& field, const char*) {
+    field = static_cast<std::decay_t<decltype(field)>>(reported);
+  };
+  describeAll(carry, snapshot.report, state);
   state.header = header;
   state.scene = snapshot.scene;
   state.preset = choiceName(snapshot.preset);
   state.precision = choiceName(snapshot.precision);
-  state.frame = report.frame;
-  state.time_s = report.time_s;
   state.paused = snapshot.paused;
   state.state_hash = snapshot.state_hash;
-  state.asleep = report.asleep;
-  state.substeps = static_cast<std::uint32_t>(report.substeps);
-  state.particles = static_cast<std::uint32_t>(report.particles);
-  state.springs = static_cast<std::uint32_t>(report.springs);
-  state.temperature = report.temperature_c;
-  state.strictness = report.strictness;
   state.heat = snapshot.heat;
   if (snapshot.heat) state.targets = snapshot.colliders;
-  state.mean_temperature = report.mean_celsius;
-  state.enthalpy_j = report.enthalpy_j;
-  state.thermal_speedup = report.thermal_speedup;
-  state.ice_bodies = static_cast<std::uint32_t>(report.ice_bodies);
-  state.ice_bodies_asleep = static_cast<std::uint32_t>(report.ice_bodies_asleep);
-  state.ice_particles = static_cast<std::uint32_t>(report.ice_particles);
-  state.steam_particles = static_cast<std::uint32_t>(report.steam_particles);
   state.gravity = vectorMessage(snapshot.gravity_m_s2);
-  state.density_error_mean = report.density_error_mean;
-  state.density_error_max = report.density_error_max;
-  state.kinetic_energy_j = report.kinetic_energy_j;
-  state.potential_energy_j = report.potential_energy_j;
-  state.elastic_energy_j = report.elastic_energy_j;
-  state.max_speed_m_s = report.max_speed_m_s;
-  state.rms_speed_m_s = report.rms_speed_m_s;
-  state.speed_limited = report.speed_limited;
-  state.correction_limited = report.correction_limited;
-  state.non_finite = report.non_finite;
-  state.frame_wall_s = report.frame_wall_s;
   state.real_time_factor = snapshot.real_time_factor;
   for (const StageStats& stage : snapshot.stages) {
     StageCost cost;
@@ -61,7 +47,7 @@ State stateMessage(const Snapshot& snapshot, const std_msgs::Header& header) {
     cost.bytes = stage.bytes;
     state.stages.push_back(cost);
   }
-  return state;
+  return std::move(static_cast<State&>(state));
 }
 
 }  // namespace ice_ice_baby

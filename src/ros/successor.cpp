@@ -32,8 +32,8 @@ void Successor::shutdown(const XmlRpc::XmlRpcValue& request, XmlRpc::XmlRpcValue
   registered_ = reason.find("new node registered") != std::string::npos;
   if (registered_) {
     ROS_FATAL(
-        "Another node has registered as %s, so this one ends: the ROS master keeps the newest of a "
-        "name. To run both, start one with another name, as __name:=second.",
+        "Another node has registered as %s, so this one ends: the ROS master keeps only the newest "
+        "node of a name. To run both, start one with another name, for example __name:=second.",
         ros::this_node::getName().c_str());
   } else {
     ROS_WARN("Asked to shut down: %s", reason.c_str());

@@ -1,4 +1,4 @@
-// Another node that takes the name of this one.
+// Shutdown because another node took the name of this one.
 #pragma once
 
 #include <XmlRpcValue.h>
@@ -7,15 +7,15 @@
 
 namespace ice_ice_baby {
 
-/// The master lets the newest node of a name live and asks the one before it to end, which roscpp
-/// does with exit code 0 and a word that is easily missed. Answers that request in roscpp's place
-/// and says what has happened. One per process, after ros::start.
+/// The master keeps the newest node of a name and asks the earlier one to shut down. roscpp then
+/// exits with code 0 and hardly a message. This class handles the request instead and logs the
+/// reason. One per process, after ros::start.
 class Successor {
  public:
   Successor();
   ~Successor();
 
-  /// Whether this node ends because another has its name now.
+  /// Whether this node ends because another one took its name.
   bool registered() const { return registered_; }
 
  private:

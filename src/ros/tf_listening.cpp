@@ -12,7 +12,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Between two looks whether the master is there again.
+/// Interval between checks whether the master answers again.
 constexpr std::chrono::milliseconds kLook{500};
 
 }  // namespace
@@ -56,7 +56,7 @@ void TfListening::run() {
     const bool begin = wanted_;
     lock.unlock();
     other.reset();
-    // Asked beforehand, as roscpp holds the locks of all topics while it waits for the master.
+    // Checked first, because roscpp holds the locks of all topics while it waits for the master.
     if (begin && ros::master::check()) other = std::make_unique<Listener>(node_, buffer_);
     lock.lock();
     listener_ = std::move(other);

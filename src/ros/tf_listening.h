@@ -1,4 +1,4 @@
-// The subscriptions to tf, which come and go with the colliders that need them.
+// Subscriptions to tf, only while some collider needs them.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -13,18 +13,18 @@
 
 namespace ice_ice_baby {
 
-/// Fills a buffer from /tf and /tf_static while that is wanted. To subscribe waits for the master,
-/// however long it is dead, so a thread of its own does so and nobody else waits.
+/// Fills a buffer from /tf and /tf_static while wanted. Subscribing blocks while the master is
+/// down, so a separate thread does it.
 class TfListening {
  public:
-  /// @param buffer has to live longer
+  /// @param buffer must outlive this object
   TfListening(const ros::NodeHandle& node, tf2_ros::Buffer& buffer);
   ~TfListening();
 
-  /// Begins or ends soon, or when the master is there again; answers at once.
+  /// Starts or stops listening soon, or when the master answers again. Returns at once.
   void want(bool wanted);
 
-  /// One line per frame whose latest transform tf refuses, none while it does not listen.
+  /// One line per frame whose latest transform tf rejects; none while not listening.
   std::vector<std::string> refused() const;
 
  private:

@@ -10,9 +10,9 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// What tf2::BufferCore::setTransform allows the squared length of a rotation to differ from 1.
+/// Deviation of a rotation's squared length from 1 that tf2::BufferCore::setTransform accepts.
 constexpr double kUnitTolerance = 1e-2;
-constexpr std::size_t kMostFrames = 20;
+constexpr std::size_t kMaxFrames = 20;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ std::string refusalOf(const geometry_msgs::Transform& transform) {
   const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   if (!std::isfinite(length)) return "its rotation is not finite";
   if (std::abs(length * length - 1.0) < kUnitTolerance) return "";
-  return "its rotation has the length " + numberText(length) + " and must have 1";
+  return "the length of its rotation is " + numberText(length) + " and must be 1";
 }
 
 TfWatch::TfWatch(ros::NodeHandle& node)
@@ -49,8 +49,8 @@ void TfWatch::see(const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
     const std::string why = refusalOf(stamped.transform);
     if (why.empty()) {
       refused_.erase(frame);
-    } else if (refused_.size() < kMostFrames && refused_.count(frame) == 0) {
-      refused_[frame] = why + ", says " + event.getPublisherName();
+    } else if (refused_.size() < kMaxFrames && refused_.count(frame) == 0) {
+      refused_[frame] = why + "; sent by " + event.getPublisherName();
       ROS_WARN("tf frame %s cannot be used: %s", frame.c_str(), refused_[frame].c_str());
     }
   }

@@ -1,4 +1,4 @@
-// Transforms that nobody can use, so that a collider which stands still says why.
+// Finds invalid transforms, so that diagnostics can say why a collider does not move.
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
@@ -12,17 +12,16 @@
 
 namespace ice_ice_baby {
 
-/// Why a transform cannot be used: a part that is not finite, or a rotation that is not of unit
-/// length. "" where it can.
+/// Why a transform is invalid: not finite, or a rotation not of unit length. "" for a valid one.
 std::string refusalOf(const geometry_msgs::Transform& transform);
 
-/// Listens to /tf and /tf_static beside tf2, which drops such transforms with no word on /rosout.
-/// Each frame is logged when it goes bad, not at every message.
+/// Listens to /tf and /tf_static beside tf2, which drops invalid transforms without a message on
+/// /rosout. Each frame is logged once, when it becomes invalid.
 class TfWatch {
  public:
   explicit TfWatch(ros::NodeHandle& node);
 
-  /// One line per frame whose latest transform cannot be used, 20 at most.
+  /// One line per frame whose latest transform is invalid, at most 20.
   std::vector<std::string> refused() const;
 
  private:

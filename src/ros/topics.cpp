@@ -1,51 +1,12 @@
 #include "topics.h"
 
-#include <ice_ice_baby/State.h>
+#include <boost/make_shared.hpp>
 
+#include "ice_ice_baby/each_collider.h"
 #include "markers.h"
-#include "particle_cloud.h"
 #include "state_message.h"
 
 namespace ice_ice_baby {
-
-namespace {
-
-/// Messages that wait for a slow subscriber before the oldest is dropped.
-constexpr std::uint32_t kQueue = 2;
-
-}  // namespace
-
-template <class Message>
-void RatedTopic::advertise(ros::NodeHandle& node, const std::string& name, bool latch) {
-  publisher_ = node.advertise<Message>(
-      name, kQueue, [this](const ros::SingleSubscriberPublisher&) { new_subscriber_ = true; },
-      ros::SubscriberStatusCallback(), ros::VoidConstPtr(), latch);
-}
-
-bool RatedTopic::due(bool news, bool last, bool repeat) {
-  if (publisher_.getNumSubscribers() == 0) return false;
-  const bool urgent = new_subscriber_.exchange(false) || (news && last);
-  const WallClock::time_point now = WallClock::now();
-  const bool old = repeat && now - gate_.latest() > std::chrono::seconds(1);
-  if (!news && !urgent && !old) return false;
-  return gate_.pass(now, urgent);
-}
-
-template <class Message>
-void RatedTopic::publish(const Message& message) {
-  messages_ += 1;
-  bytes_ += ros::serialization::serializationLength(message);
-  publisher_.publish(message);
-}
-
-TopicLoad RatedTopic::load() const {
-  TopicLoad load;
-  load.name = publisher_.getTopic();
-  load.subscribers = publisher_.getNumSubscribers();
-  load.messages = messages_;
-  load.bytes = bytes_;
-  return load;
-}
 
 Topics::Topics(ros::NodeHandle& node, const NodeParameters& parameters)
     : scene_frame_(parameters.scene_frame),
@@ -55,59 +16,113 @@ Topics::Topics(ros::NodeHandle& node, const NodeParameters& parameters)
       particles_(parameters.particles_rate_hz),
       springs_(parameters.springs_rate_hz),
       colliders_(30.0),
-      state_(parameters.state_rate_hz) {
+      state_(parameters.state_rate_hz),
+      publisher_({[this] { publishParticles(); }, [this] { publishSprings(); },
+                  [this] { publishColliders(); }, [this] { publishState(); }}) {
   particles_.advertise<sensor_msgs::PointCloud2>(node, "particles");
   springs_.advertise<visualization_msgs::MarkerArray>(node, "springs");
   colliders_.advertise<visualization_msgs::MarkerArray>(node, "colliders", true);
   state_.advertise<State>(node, "state");
 }
 
-void Topics::sceneStarted(const Simulation& simulation, const ros::Time& stamp) {
-  news_ = {true, true, false, true};
-  colliders_.publish(colliderMarkers(simulation, header(stamp)));
+void Topics::sceneStarted(const Simulation& simulation) {
+  particle_news_.add(false);
+  spring_news_.add(false);
+  state_news_.add(false);
+  collider_news_ = {};
+  scene_started_ = true;
+  scene_ = std::make_shared<const Scene>(simulation.scene());
 }
 
 void Topics::publish(const Simulation& simulation, const Snapshot& snapshot, const ros::Time& stamp,
                      bool colliders_moved, bool settled) {
-  if (snapshot.report.frame != frame_ || settled != settled_) {
-    frame_ = snapshot.report.frame;
-    settled_ = settled;
-    news_.particles = news_.springs = news_.state = true;
+  addNews(snapshot, colliders_moved, settled);
+  // Busy topics are not asked whether they are due: the answer would count as sent.
+  const auto due = [this](Topic topic, RatedTopic& rated, const News& news, bool repeat) {
+    return !publisher_.busy(topic) && rated.due(news.any, news.last, repeat);
+  };
+  if (due(kParticles, particles_, particle_news_, true)) takeParticles(simulation, stamp);
+  const bool springs = snapshot.report.springs > 0 || taken_springs_ > 0;
+  if (due(kSprings, springs_, springs ? spring_news_ : News(), springs)) {
+    takeSprings(simulation, stamp);
   }
-  news_.colliders = news_.colliders || colliders_moved;
-  if (particles_.due(news_.particles, settled)) publishParticles(simulation, header(stamp));
-  const bool springs = snapshot.report.springs > 0 || drawn_springs_ > 0;
-  if (springs_.due(news_.springs && springs, settled, springs))
-    publishSprings(simulation, header(stamp));
-  if (news_.colliders && colliders_.due(true, settled)) {
-    news_.colliders = false;
-    colliders_.publish(colliderMarkers(simulation, header(stamp)));
+  const bool start = scene_started_ && !publisher_.busy(kColliders);
+  if (start || (collider_news_.any && due(kColliders, colliders_, collider_news_, false))) {
+    takeColliders(simulation, stamp);
   }
-  if (state_.due(news_.state, settled)) {
-    news_.state = false;
-    State state = stateMessage(snapshot, header(stamp));
-    state.topics = loads();
-    state_.publish(state);
+  if (due(kState, state_, state_news_, true)) {
+    state_news_ = {};
+    state_snapshot_.stamp = stamp;
+    state_snapshot_.snapshot = snapshot;
+    publisher_.request(kState);
   }
 }
 
-void Topics::publishParticles(const Simulation& simulation, const std_msgs::Header& header) {
-  news_.particles = false;
-  simulation.sample(particle_samples_, stride_);
-  cloud_.header = header;
-  const bool heat = simulation.scene().thermal.enabled;
-  const Colouring coloured = heat ? Colouring::kHeat : Colouring::kScene;
-  writeCloud(particle_samples_, rgb_ ? coloured : Colouring::kPlain, cloud_);
+void Topics::addNews(const Snapshot& snapshot, bool colliders_moved, bool settled) {
+  if (colliders_moved) collider_news_.add(settled);
+  if (snapshot.report.frame == frame_ && settled == settled_) return;
+  frame_ = snapshot.report.frame;
+  settled_ = settled;
+  for (News* news : {&particle_news_, &spring_news_, &state_news_}) news->add(settled);
+}
+
+void Topics::takeParticles(const Simulation& simulation, const ros::Time& stamp) {
+  particle_news_ = {};
+  const Colouring coloured =
+      simulation.scene().thermal.enabled ? Colouring::kHeat : Colouring::kScene;
+  particle_snapshot_.stamp = stamp;
+  particle_snapshot_.colouring = rgb_ ? coloured : Colouring::kPlain;
+  simulation.sample(particle_snapshot_.samples, stride_);
+  publisher_.request(kParticles);
+}
+
+void Topics::takeSprings(const Simulation& simulation, const ros::Time& stamp) {
+  spring_news_ = {};
+  std::vector<SpringSample>& samples = spring_snapshot_.samples;
+  simulation.sampleSprings(samples, springs_max_);
+  spring_snapshot_.stamp = stamp;
+  spring_snapshot_.width_m = 0.08 * simulation.scene().fluid.spacing_m;
+  spring_snapshot_.clear = samples.size() < taken_springs_ || samples.empty();
+  taken_springs_ = samples.size();
+  publisher_.request(kSprings);
+}
+
+void Topics::takeColliders(const Simulation& simulation, const ros::Time& stamp) {
+  collider_news_ = {};
+  scene_started_ = false;
+  collider_snapshot_.stamp = stamp;
+  collider_snapshot_.scene = scene_;
+  collider_snapshot_.poses.clear();
+  forEachCollider(*scene_, [&](const Collider& collider) {
+    collider_snapshot_.poses.push_back(simulation.colliderPose(collider.name));
+  });
+  publisher_.request(kColliders);
+}
+
+void Topics::publishParticles() {
+  // The memory of the last message serves again unless a subscriber in this process holds it.
+  if (!cloud_.unique()) cloud_ = boost::make_shared<sensor_msgs::PointCloud2>();
+  cloud_->header = header(particle_snapshot_.stamp);
+  writeCloud(particle_snapshot_.samples, particle_snapshot_.colouring, *cloud_);
   particles_.publish(cloud_);
 }
 
-void Topics::publishSprings(const Simulation& simulation, const std_msgs::Header& header) {
-  news_.springs = false;
-  simulation.sampleSprings(spring_samples_, springs_max_);
-  const bool clear = spring_samples_.size() < drawn_springs_ || spring_samples_.empty();
-  drawn_springs_ = spring_samples_.size();
-  const double width_m = 0.08 * simulation.scene().fluid.spacing_m;
-  springs_.publish(springMarkers(spring_samples_, header, width_m, clear));
+void Topics::publishSprings() {
+  springs_.publish(boost::make_shared<visualization_msgs::MarkerArray>(
+      springMarkers(spring_snapshot_.samples, header(spring_snapshot_.stamp),
+                    spring_snapshot_.width_m, spring_snapshot_.clear)));
+}
+
+void Topics::publishColliders() {
+  colliders_.publish(boost::make_shared<visualization_msgs::MarkerArray>(colliderMarkers(
+      *collider_snapshot_.scene, collider_snapshot_.poses, header(collider_snapshot_.stamp))));
+}
+
+void Topics::publishState() {
+  const auto state = boost::make_shared<State>(
+      stateMessage(state_snapshot_.snapshot, header(state_snapshot_.stamp)));
+  state->topics = loads();
+  state_.publish(state);
 }
 
 std::vector<TopicLoad> Topics::loads() const {

@@ -1,68 +1,64 @@
 // The topics that follow the simulation: particles, springs, colliders and state.
 #pragma once
 
-#include <ice_ice_baby/TopicLoad.h>
-#include <ros/node_handle.h>
 #include <sensor_msgs/PointCloud2.h>
 
-#include <array>
-#include <atomic>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "pacing.h"
 #include "parameters.h"
+#include "particle_cloud.h"
+#include "publisher_thread.h"
+#include "rated_topic.h"
 #include "simulation_thread.h"
 
 namespace ice_ice_baby {
 
-/// A publisher that counts, and that says when a message is due.
-class RatedTopic {
- public:
-  template <class Message>
-  void advertise(ros::NodeHandle& node, const std::string& name, bool latch = false);
-
-  explicit RatedTopic(double rate_hz) : gate_(rate_hz) {}
-
-  /// Whether to build a message: somebody subscribes, and either there is news and the rate allows
-  /// it, or the subscriber is new, or the last message is a second old.
-  /// @param news since the last message @param last of its kind for a while, so it must go out
-  /// @param repeat whether what is a second old goes out again without news
-  bool due(bool news, bool last, bool repeat = true);
-
-  template <class Message>
-  void publish(const Message& message);
-
-  TopicLoad load() const;
-
- private:
-  ros::Publisher publisher_;
-  RateGate gate_;
-  std::atomic<bool> new_subscriber_{false};
-  std::atomic<std::uint64_t> messages_{0};
-  std::atomic<std::uint64_t> bytes_{0};
-};
-
+/// The simulation's thread takes a snapshot of each topic that is due; a thread of this class
+/// builds the message and publishes it. A topic without subscribers costs neither. While a snapshot
+/// waits or is published no other is taken of that topic, so a slow publisher skips frames and
+/// never holds up the solver.
 class Topics {
  public:
   Topics(ros::NodeHandle& node, const NodeParameters& parameters);
 
-  /// The scene stands at its start: its colliders go out, latched.
-  void sceneStarted(const Simulation& simulation, const ros::Time& stamp);
+  /// Simulation's thread: a scene is at its start. The next call of publish sends its colliders,
+  /// latched.
+  void sceneStarted(const Simulation& simulation);
 
-  /// Publishes what is due. @param colliders_moved since the last call
+  /// Simulation's thread: takes and hands over the snapshots that are due; does not wait.
+  /// @param colliders_moved since the last call
   /// @param settled whether no frame follows by itself
   void publish(const Simulation& simulation, const Snapshot& snapshot, const ros::Time& stamp,
                bool colliders_moved, bool settled);
 
-  /// From any thread: what each topic has cost.
+  /// Any thread: what each topic has cost.
   std::vector<TopicLoad> loads() const;
 
   std_msgs::Header header(const ros::Time& stamp) const;
 
  private:
-  void publishParticles(const Simulation& simulation, const std_msgs::Header& header);
-  void publishSprings(const Simulation& simulation, const std_msgs::Header& header);
+  enum Topic : std::size_t { kParticles, kSprings, kColliders, kState };
+
+  /// What happened since the last snapshot of a topic.
+  struct News {
+    bool any = false;
+    bool last = false;  ///< no frame followed by itself
+    void add(bool settled) {
+      any = true;
+      last = last || settled;
+    }
+  };
+
+  void addNews(const Snapshot& snapshot, bool colliders_moved, bool settled);
+  void takeParticles(const Simulation& simulation, const ros::Time& stamp);
+  void takeSprings(const Simulation& simulation, const ros::Time& stamp);
+  void takeColliders(const Simulation& simulation, const ros::Time& stamp);
+  void publishParticles();
+  void publishSprings();
+  void publishColliders();
+  void publishState();
 
   const std::string scene_frame_;
   const bool rgb_;
@@ -73,17 +69,39 @@ class Topics {
   RatedTopic colliders_;
   RatedTopic state_;
 
-  /// News of a scene that some topic has not told yet.
-  struct News {
-    bool particles = false, springs = false, colliders = false, state = false;
-  };
-  News news_;
+  // Simulation's thread.
+  News particle_news_, spring_news_, collider_news_, state_news_;
+  std::shared_ptr<const Scene> scene_;
+  bool scene_started_ = false;
   std::uint64_t frame_ = 0;
   bool settled_ = false;
-  std::size_t drawn_springs_ = 0;
-  std::vector<ParticleSample> particle_samples_;
-  std::vector<SpringSample> spring_samples_;
-  sensor_msgs::PointCloud2 cloud_;
+  std::size_t taken_springs_ = 0;
+
+  // Snapshots: written by the simulation's thread while their topic is not busy, read by the
+  // publisher's thread while it is.
+  struct {
+    ros::Time stamp;
+    Colouring colouring = Colouring::kPlain;
+    std::vector<ParticleSample> samples;
+  } particle_snapshot_;
+  struct {
+    ros::Time stamp;
+    double width_m = 0.0;
+    bool clear = false;  ///< whether lines of the message before are deleted
+    std::vector<SpringSample> samples;
+  } spring_snapshot_;
+  struct {
+    ros::Time stamp;
+    std::shared_ptr<const Scene> scene;
+    std::vector<Posed> poses;  ///< in the order of forEachCollider
+  } collider_snapshot_;
+  struct {
+    ros::Time stamp;
+    Snapshot snapshot;
+  } state_snapshot_;
+
+  boost::shared_ptr<sensor_msgs::PointCloud2> cloud_;  ///< publisher's thread
+  PublisherThread publisher_;                          ///< last, so that it ends first
 };
 
 }  // namespace ice_ice_baby

@@ -1,7 +1,5 @@
 #include "control_panel.h"
 
-#include <rviz/visualization_manager.h>
-
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QFormLayout>
@@ -18,7 +16,6 @@
 
 #include "state_view.h"
 #include "temperature_control.h"
-#include "water_opacity.h"
 
 Q_DECLARE_METATYPE(ice_ice_baby::Answer)
 Q_DECLARE_METATYPE(ice_ice_baby::State)
@@ -177,8 +174,6 @@ void ControlPanel::showAnswer(const Answer& answer) {
            answer.success);
 }
 
-void ControlPanel::onInitialize() { displays_ = vis_manager_->getRootDisplayGroup(); }
-
 void ControlPanel::showState(const State& state) {
   since_state_.start();
   paused_ = state.paused;
@@ -187,10 +182,6 @@ void ControlPanel::showState(const State& state) {
   state_view_->show(state);
   temperature_->showInForce(state.temperature, state.heat ? state.mean_temperature : std::nan(""));
   temperature_->offerTargets(state.heat, words(state.targets));
-  if (displays_ != nullptr) {
-    showOpacity(displays_, node_->text().toStdString() + "/particles",
-                waterOpacity(state.strictness));
-  }
   if (target_ && std::abs(state.temperature - *target_) < ARRIVED_C) target_.reset();
   if (!target_) temperature_->showTarget(state.temperature);
   if (scene_->view()->isVisible()) return;
@@ -210,8 +201,8 @@ void ControlPanel::showLine(const QString& text, bool good) {
   answer_->setStyleSheet(good ? "color: #2e7d4f" : "color: #b3362b");
 }
 
-/// Asks a node that has been silent, as it may be paused, new, or gone, and one that has not
-/// answered yet: its states may come before it can be asked for its scenes.
+/// Calls a node that has been silent, because it may be paused, new or gone, and one that has not
+/// answered yet, because states may arrive before its services can be called.
 void ControlPanel::checkNode() {
   const bool silent = !since_state_.isValid() || since_state_.elapsed() > SILENCE_MS;
   if (asked_ || (reached_ && !silent)) return;

@@ -11,10 +11,6 @@
 
 #include "simulation_client.h"
 
-namespace rviz {
-class DisplayGroup;
-}
-
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -35,10 +31,9 @@ class ControlPanel : public rviz::Panel {
 
   void load(const rviz::Config& config) override;
   void save(rviz::Config config) const override;
-  void onInitialize() override;
 
  Q_SIGNALS:
-  // Emitted on the client's threads and received on the GUI's.
+  // Emitted on the client's threads and received on the GUI thread.
   void answerArrived(const ice_ice_baby::Answer& answer);
   void stateArrived(const ice_ice_baby::State& state);
   void scenesArrived(const QStringList& scenes);
@@ -56,7 +51,6 @@ class ControlPanel : public rviz::Panel {
   void showLine(const QString& text, bool good);
   void checkNode();
 
-  rviz::DisplayGroup* displays_ = nullptr;  ///< of the view; null where the panel stands alone
   QLineEdit* node_;
   TemperatureControl* temperature_;
   QPushButton* pause_;
@@ -70,11 +64,11 @@ class ControlPanel : public rviz::Panel {
   QTimer watch_;
   QElapsedTimer since_state_;
   bool paused_ = false;
-  bool reached_ = false;          ///< whether the node gave the latest answer
-  bool asked_ = false;            ///< whether the watch still waits for one
-  std::optional<double> target_;  ///< asked for and not yet in force; none: the slider follows
+  bool reached_ = false;          ///< whether the node answered the latest call
+  bool asked_ = false;            ///< whether an answer is still pending
+  std::optional<double> target_;  ///< requested and not yet in force; empty: the slider follows
 
-  std::unique_ptr<SimulationClient> client_;  ///< last: its threads end before the widgets do
+  std::unique_ptr<SimulationClient> client_;  ///< last, so that its threads end before the widgets
 };
 
 }  // namespace ice_ice_baby

@@ -55,12 +55,14 @@ void ParticlesDisplay::reset() {
 
 void ParticlesDisplay::restyle() {
   const float size_m = size_m_->getFloat();
-  const float water = alphas_[WATER]->getFloat();
-  const float freezing = water + points_.freezing * (alphas_[ICE]->getFloat() - water);
-  for (const Phase phase : {WATER, ICE, STEAM}) {
-    if (!clouds_[phase]) return;
-    clouds_[phase]->setDimensions(size_m, size_m, size_m);
-    clouds_[phase]->setAlpha(phase == WATER ? freezing : alphas_[phase]->getFloat());
+  const float water = alphas_[indexOf(Phase::kWater)]->getFloat();
+  const float ice = alphas_[indexOf(Phase::kIce)]->getFloat();
+  const float freezing = water + points_.freezing * (ice - water);
+  for (const Phase phase : kPhases) {
+    const auto& cloud = clouds_[indexOf(phase)];
+    if (!cloud) return;
+    cloud->setDimensions(size_m, size_m, size_m);
+    cloud->setAlpha(phase == Phase::kWater ? freezing : alphas_[indexOf(phase)]->getFloat());
   }
   context_->queueRender();
 }
@@ -82,12 +84,15 @@ void ParticlesDisplay::processMessage(const sensor_msgs::PointCloud2::ConstPtr& 
   }
   setStatus(rviz::StatusProperty::Ok, "Transform", "OK");
   setStatus(rviz::StatusProperty::Ok, "Points", QString("%1 drawn").arg(message->width));
+  setStatus(
+      points_.has_phases ? rviz::StatusProperty::Ok : rviz::StatusProperty::Warn, "Phase",
+      points_.has_phases ? "OK" : "The cloud has no field phase: all of it is drawn as water");
   scene_node_->setPosition(position);
   scene_node_->setOrientation(orientation);
-  for (const Phase phase : {WATER, ICE, STEAM}) {
-    auto& points = points_.of[phase];
-    clouds_[phase]->clear();
-    clouds_[phase]->addPoints(points.data(), static_cast<uint32_t>(points.size()));
+  for (const Phase phase : kPhases) {
+    auto& points = points_.of[indexOf(phase)];
+    clouds_[indexOf(phase)]->clear();
+    clouds_[indexOf(phase)]->addPoints(points.data(), static_cast<uint32_t>(points.size()));
   }
   restyle();
 }

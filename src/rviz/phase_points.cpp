@@ -10,17 +10,16 @@ namespace {
 
 using sensor_msgs::PointField;
 
-constexpr float STEAM_DENSITY = 0.01F;
-constexpr float HALF_ICE = 0.5F;
 constexpr std::uint32_t WATER_BLUE = 0x2175DB;
 
 /// Reads one field of points; one that the cloud lacks has always the same value.
+template <typename Value>
 class FieldReader {
  public:
-  FieldReader(const sensor_msgs::PointCloud2& cloud, const char* name) {
+  FieldReader(const sensor_msgs::PointCloud2& cloud, const char* name, std::uint8_t datatype) {
     for (const PointField& field : cloud.fields) {
-      const bool inside = field.offset + std::uint64_t{4} <= cloud.point_step;
-      if (field.name == name && field.datatype == PointField::FLOAT32 && inside) {
+      const bool inside = field.offset + std::uint64_t{sizeof(Value)} <= cloud.point_step;
+      if (field.name == name && field.datatype == datatype && inside) {
         offset_ = static_cast<int>(field.offset);
       }
     }
@@ -28,7 +27,6 @@ class FieldReader {
 
   bool found() const { return offset_ >= 0; }
 
-  template <typename Value>
   Value read(const std::uint8_t* point, Value otherwise) const {
     if (found()) std::memcpy(&otherwise, point + offset_, sizeof otherwise);
     return otherwise;
@@ -42,12 +40,12 @@ class CloudReader {
  public:
   explicit CloudReader(const sensor_msgs::PointCloud2& cloud)
       : cloud_(cloud),
-        x_(cloud, "x"),
-        y_(cloud, "y"),
-        z_(cloud, "z"),
-        ice_(cloud, "ice_fraction"),
-        density_(cloud, "density"),
-        rgb_(cloud, "rgb") {
+        x_(cloud, "x", PointField::FLOAT32),
+        y_(cloud, "y", PointField::FLOAT32),
+        z_(cloud, "z", PointField::FLOAT32),
+        ice_(cloud, "ice_fraction", PointField::FLOAT32),
+        phase_(cloud, "phase", PointField::UINT8),
+        rgb_(cloud, "rgb", PointField::FLOAT32) {
     if (!x_.found() || !y_.found() || !z_.found()) {
       throw std::invalid_argument("The cloud has no fields x, y, z of FLOAT32");
     }
@@ -59,7 +57,16 @@ class CloudReader {
 
   std::size_t count() const { return std::size_t{cloud_.width} * cloud_.height; }
   float ice(std::size_t k) const { return ice_.read(at(k), 0.0F); }
-  bool steam(std::size_t k) const { return density_.read(at(k), 1.0F) < STEAM_DENSITY; }
+  bool hasPhases() const { return phase_.found(); }
+
+  Phase phase(std::size_t k) const {
+    const std::uint8_t number = phase_.read(at(k), 0);
+    for (const Phase phase : kPhases) {
+      if (indexOf(phase) == number) return phase;
+    }
+    throw std::invalid_argument("The cloud holds phase " + std::to_string(number) +
+                                "; known are 0 (water), 1 (ice) and 2 (steam)");
+  }
 
   rviz::PointCloud::Point point(std::size_t k) const {
     rviz::PointCloud::Point point;
@@ -78,19 +85,22 @@ class CloudReader {
   const std::uint8_t* at(std::size_t k) const { return cloud_.data.data() + k * cloud_.point_step; }
 
   const sensor_msgs::PointCloud2& cloud_;
-  const FieldReader x_, y_, z_, ice_, density_, rgb_;
+  const FieldReader<float> x_, y_, z_, ice_;
+  const FieldReader<std::uint8_t> phase_;
+  const FieldReader<std::uint32_t> rgb_;
 };
 
-/// Whether all water and ice has the same share of ice, which is then left in `share`.
-bool sameIce(const CloudReader& cloud, float& share) {
+/// Ice fraction that all water has in common; otherwise 0.
+float commonFraction(const CloudReader& cloud) {
+  float common = 0.0F;
   bool first = true;
   for (std::size_t k = 0; k < cloud.count(); ++k) {
-    if (cloud.steam(k)) continue;
-    if (!first && cloud.ice(k) != share) return false;
-    share = cloud.ice(k);
+    if (cloud.phase(k) != Phase::kWater) continue;
+    if (!first && cloud.ice(k) != common) return 0.0F;
+    common = cloud.ice(k);
     first = false;
   }
-  return true;
+  return common;
 }
 
 }  // namespace
@@ -98,13 +108,10 @@ bool sameIce(const CloudReader& cloud, float& share) {
 void splitPhases(const sensor_msgs::PointCloud2& cloud, PhasePoints& out) {
   const CloudReader reader(cloud);
   for (auto& points : out.of) points.clear();
-  float share = 0.0F;
-  const bool same = sameIce(reader, share);
-  out.freezing = same ? share : 0.0F;
+  out.has_phases = reader.hasPhases();
+  out.freezing = commonFraction(reader);
   for (std::size_t k = 0; k < reader.count(); ++k) {
-    const bool ice = !same && reader.ice(k) >= HALF_ICE;
-    const Phase phase = reader.steam(k) ? STEAM : ice ? ICE : WATER;
-    out.of[phase].push_back(reader.point(k));
+    out.of[indexOf(reader.phase(k))].push_back(reader.point(k));
   }
 }
 

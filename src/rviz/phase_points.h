@@ -7,19 +7,22 @@
 #include <array>
 #include <vector>
 
+#include "ice_ice_baby/samples.h"
+
 namespace ice_ice_baby {
 
-enum Phase { WATER, ICE, STEAM };
+constexpr std::size_t indexOf(Phase phase) { return static_cast<std::size_t>(phase); }
 
 struct PhasePoints {
-  std::array<std::vector<rviz::PointCloud::Point>, 3> of;  ///< by Phase
-  float freezing = 0.0F;  ///< share of ice in what is drawn as water, where all of it has the same
+  std::array<std::vector<rviz::PointCloud::Point>, 3> of;  ///< by indexOf(Phase)
+  float freezing = 0.0F;   ///< ice fraction of all water, where it has one in common; otherwise 0
+  bool has_phases = true;  ///< whether the cloud tells the phase; without it all of it is water
 };
 
-/// Steam is what is hardly dense, ice what is more ice than water. Where all water and ice has one
-/// share of ice, as in a scene without heat, it stays together as water and `freezing` tells that
-/// share. Fields that a cloud lacks count as those of dense water.
-/// @throws std::invalid_argument for a cloud without x, y, z or with fewer bytes than it says
+/// Parts a cloud by its field `phase`. Slush is water; in a scene without heat all water has the
+/// same ice fraction, which `freezing` tells. Other fields that a cloud lacks count as 0.
+/// @throws std::invalid_argument for a cloud without x, y, z, with fewer bytes than it says, or
+/// with an unknown phase
 void splitPhases(const sensor_msgs::PointCloud2& cloud, PhasePoints& out);
 
 }  // namespace ice_ice_baby

@@ -44,7 +44,8 @@ bool SimulationClient::follow(const std::string& node) {
   return true;
 }
 
-/// Forgets waiting calls and ends the one under way: a node that hangs must not hold up the caller.
+/// Discards waiting calls and cancels the pending one, so that a node that hangs does not block the
+/// caller.
 void SimulationClient::breakOff() {
   const std::lock_guard<std::mutex> lock(mutex_);
   jobs_.clear();
@@ -87,7 +88,7 @@ Answer SimulationClient::call(const std::string& node, const std::string& name, 
     answer.message = "no node at " + node;
     return answer;
   }
-  // Persistent, because only such a client can be shut down while it waits for its answer.
+  // Persistent, because only a persistent client can be shut down while it waits for its answer.
   auto client = handle_.serviceClient<Service>(resolved, true);
   {
     const std::lock_guard<std::mutex> lock(mutex_);

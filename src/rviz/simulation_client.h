@@ -1,5 +1,5 @@
-// The panel's talk with a simulation node: service calls and state, off the GUI thread. Knows no
-// Qt.
+// Connection of the panel to a simulation node: service calls and state, off the GUI thread,
+// without Qt.
 #pragma once
 
 #include <ice_ice_baby/State.h>
@@ -19,16 +19,16 @@
 
 namespace ice_ice_baby {
 
-/// What became of one service call.
+/// Result of a service call.
 struct Answer {
-  std::string service;   ///< private name, as "set_temperature"
+  std::string service;   ///< private name, such as "set_temperature"
   bool reached = false;  ///< false: no node offers the service or it went away during the call
-  bool success = false;  ///< what the node answered
-  std::string message;   ///< the node's own words or why it could not be asked
+  bool success = false;  ///< answer of the node
+  std::string message;   ///< message of the node, or why it could not be called
 };
 
-/// Calls the services of one node in the order asked and follows its state. Every function returns
-/// at once; what comes back is handed to Callbacks on threads of this object, never the caller's.
+/// Calls the services of one node in the order requested and follows its state. Every function
+/// returns at once; results are passed to Callbacks on threads of this object, never the caller's.
 class SimulationClient {
  public:
   struct Callbacks {
@@ -37,20 +37,20 @@ class SimulationClient {
     std::function<void(const std::vector<std::string>&)> scenes;  ///< names that reset accepts
   };
 
-  /// Needs ros::init before. Talks to nobody until follow().
+  /// Requires ros::init. Connects to no node until follow().
   explicit SimulationClient(Callbacks callbacks);
 
-  /// Breaks off a call under way; no callback comes after it.
+  /// Cancels a pending call. No callback runs after the destructor.
   ~SimulationClient();
 
   SimulationClient(const SimulationClient&) = delete;
   SimulationClient& operator=(const SimulationClient&) = delete;
 
-  /// Talks to `node`, as "/ice_ice_baby", from now on and forgets calls not yet made.
-  /// @return false, and nothing changes, if that is no valid ROS name
+  /// Connects to `node`, such as "/ice_ice_baby", and discards calls not yet made.
+  /// @return false, without any change, if that is not a valid ROS name
   bool follow(const std::string& node);
 
-  /// Resolved name of the node followed.
+  /// Resolved name of the node.
   const std::string& node() const { return node_; }
 
   /// @param target "": the scene, with heat its air; with heat also the name of a collider
@@ -63,7 +63,7 @@ class SimulationClient {
   /// it
   void reset(const std::string& scene, const std::string& preset);
 
-  /// Asks for state and scenes; they come by their own callbacks, and an answer as well.
+  /// Requests state and scenes; each arrives by its own callback, and so does the answer.
   void refresh();
 
  private:
@@ -82,8 +82,8 @@ class SimulationClient {
   std::mutex mutex_;  ///< guards what follows
   std::condition_variable wake_;
   std::deque<std::function<Answer()>> jobs_;
-  ros::ServiceClient under_way_;  ///< held so that it can be broken off from outside
-  unsigned generation_ = 0;       ///< counts follow(): an older call's answer is dropped
+  ros::ServiceClient under_way_;  ///< a member, so that another thread can cancel it
+  unsigned generation_ = 0;       ///< number of follow() calls; answers of older ones are dropped
   bool stopping_ = false;
 
   ros::CallbackQueue queue_;

@@ -17,8 +17,7 @@ constexpr int WARMEST_C = 40;
 constexpr int WARMEST_WITH_HEAT_C = 150;
 constexpr int AT_REST_MS = 150;
 
-/// Whitish up to the freezing point, which lies at a share of the groove, from there on blue to
-/// red.
+/// Whitish up to the freezing point, at a given fraction of the groove, then from blue to red.
 QString sliderStyle(double freezing) {
   return QString(
              "QSlider::groove:horizontal { height: 8px; border-radius: 4px; background: "

@@ -12,22 +12,22 @@ class QSlider;
 
 namespace ice_ice_baby {
 
-/// Asks for a temperature when the slider comes to rest: of [-30, 40] degrees C, with heat up to
-/// 150, and then also of a chosen collider.
+/// Requests a temperature when the slider comes to rest: in [-30, 40] degrees C, in a thermal scene
+/// up to 150, and there also of a chosen collider.
 class TemperatureControl : public QWidget {
   Q_OBJECT
 
  public:
   explicit TemperatureControl(QWidget* parent = nullptr);
 
-  /// Puts the slider to the temperature of the scene or its air without asking for anything. While
-  /// a collider is chosen, the slider stays: nobody tells how warm that is.
+  /// Moves the slider to the temperature of the scene or its air without requesting anything. While
+  /// a collider is chosen the slider stays, because its temperature is not known.
   void showTarget(double celsius);
 
-  /// Shows what the simulation has now, NaN: unknown. @param mean_c over the particles, NaN: none
+  /// Shows the present temperature; NaN: unknown. @param mean_c mean of the particles; NaN: none
   void showInForce(double celsius, double mean_c);
 
-  /// Offers the air and these colliders; without heat no choice is shown.
+  /// Offers the air and these colliders; hidden if the scene is not thermal.
   void offerTargets(bool heat, const QStringList& colliders);
 
   double ramp() const;  ///< s
@@ -48,9 +48,9 @@ class TemperatureControl : public QWidget {
   QLabel* target_;
   QLabel* in_force_;
   QLabel* of_;
-  QComboBox* choice_;  ///< of air and colliders; hidden without heat
+  QComboBox* choice_;  ///< air and colliders; hidden if the scene is not thermal
   QDoubleSpinBox* ramp_;
-  QTimer at_rest_;  ///< gathers the wheel's and the keys' many small moves into one request
+  QTimer at_rest_;  ///< combines many small moves into one request
 };
 
 }  // namespace ice_ice_baby

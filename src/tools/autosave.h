@@ -1,4 +1,4 @@
-// Checkpoints on the way, so that a long run that is killed need not begin again.
+// Periodic checkpoints, so that a long run that is killed can be continued.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@ namespace ice_ice_baby {
 
 class Autosave {
  public:
-  /// @param every_s simulated time from one checkpoint to the next; 0: none
-  /// @param start_s simulated time now
+  /// @param every_s simulated time between two checkpoints; 0: none
+  /// @param start_s present simulated time
   Autosave(std::string path, double every_s, double start_s)
       : path_(std::move(path)), every_s_(every_s), next_s_(start_s + every_s) {}
 
-  /// Saves when it is time. What cannot be saved is only warned of: the older checkpoint is whole,
-  /// and there may be room the next time.
+  /// Saves when a checkpoint is due. A failure is only a warning: the previous checkpoint is
+  /// intact, and there may be disk space next time.
   void look(const Simulation& simulation);
 
  private:

@@ -20,7 +20,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Root mean square over the last half second, which also sees jitter that a single frame misses.
+/// Root mean square over the last half second, which includes jitter that a single frame may miss.
 class ResidualSpeed {
  public:
   explicit ResidualSpeed(const Scene& scene)
@@ -49,7 +49,7 @@ std::string note(const StepReport& report, const RunRecord& record) {
   return text;
 }
 
-/// Everything that looks at each frame, and the start before them.
+/// Everything that observes each frame, including the initial state.
 class Observers {
  public:
   Observers(const Simulation& simulation, const RunOutputs& outputs, int threads)

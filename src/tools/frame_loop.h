@@ -1,4 +1,4 @@
-// The frames of a run of run_scene, and what is written while they pass.
+// The frame loop of run_scene and its output files.
 #pragma once
 
 #include <string>
@@ -7,22 +7,22 @@
 
 namespace ice_ice_baby {
 
-/// Files to write during a run; "": none.
+/// Files to write during a run; "" writes none.
 struct RunOutputs {
   std::string frames;  ///< folder of pictures
   double frames_hz = 30.0;
-  double sample_hz = 0.0;   ///< of series, record and metrics of the error; 0: every frame
+  double sample_hz = 0.0;   ///< rate of series, record and error metrics; 0: every frame
   std::string series;       ///< CSV over time
   std::string record;       ///< .npy of every position
   std::string save;         ///< checkpoint
-  double autosave_s = 0.0;  ///< simulated time from one checkpoint to the next; 0: none on the way
+  double autosave_s = 0.0;  ///< simulated time between checkpoints; 0: only at the end
 };
 
-/// Runs the frames until simulated time `end_s`, until a value was not finite, or, where the run is
-/// saved, until somebody interrupts it. Faces of the error are those of whole runs: one that goes
-/// on from a checkpoint has none.
-/// @param threads with which the error is measured, 0: all of the machine's
-/// @throws InvalidInput when an output cannot be written; a checkpoint on the way is only warned of
+/// Runs frames until simulated time `end_s`, until a value is not finite, or, if the run is saved,
+/// until it is interrupted. Error metrics apply to whole runs, so a run continued from a checkpoint
+/// has none.
+/// @param threads used to measure the error, 0: all of the machine's
+/// @throws InvalidInput if an output cannot be written; a failed autosave is only a warning
 RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double end_s, int threads);
 
 }  // namespace ice_ice_baby

@@ -1,4 +1,4 @@
-// What is known of a frame that has just been simulated; frame 0 is the start.
+// Read-only view of a simulated frame; frame 0 is the initial state.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@ namespace ice_ice_baby {
 
 struct FrameView {
   const Simulation& simulation;
-  const std::vector<ParticleSample>& particles;  ///< all of them, by id
+  const std::vector<ParticleSample>& particles;  ///< all particles, by id
   DensityError error;
-  double frame_wall_s;  ///< mean over the frames since the view before
+  double frame_wall_s;  ///< mean over the frames since the previous view
 
   const StepReport& report() const { return simulation.report(); }
   const Scene& scene() const { return simulation.scene(); }

@@ -9,12 +9,12 @@ namespace ice_ice_baby {
 
 class ProgressBar {
  public:
-  /// @param total number of steps to come
+  /// @param total number of steps
   ProgressBar(std::string title, std::size_t total);
   /// Clears the line.
   ~ProgressBar();
 
-  /// Shows that `done` steps are behind, with a short note, at most ten times a second.
+  /// Shows that `done` steps are finished, with a short note, at most ten times a second.
   void show(std::size_t done, const std::string& note);
 
  private:

@@ -1,14 +1,14 @@
-// How much memory this process has in use.
+// Memory use of this process.
 #pragma once
 
 #include <cstddef>
 
 namespace ice_ice_baby {
 
-/// Bytes resident now; 0 where the system does not tell.
+/// Bytes resident now; 0 if unknown.
 std::size_t residentBytes();
 
-/// The most bytes that were resident at any time; 0 where the system does not tell.
+/// Peak number of resident bytes; 0 if unknown.
 std::size_t peakResidentBytes();
 
 }  // namespace ice_ice_baby

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <type_traits>
 
 #include "ice_ice_baby/errors.h"
@@ -51,6 +52,20 @@ nlohmann::ordered_json settingsOf(Scene scene) {
   return settings;
 }
 
+/// Keys of the two numbers of a frame that are called differently in the report of a whole run.
+const char* keyOf(std::string_view name) {
+  if (name == "frame") return "frames";
+  if (name == "time_s") return "simulated_time_s";
+  return name.data();
+}
+
+/// What the last frame reported, but where the run has a number of that name.
+void putNumbers(const StepReport& report, const RunRecord& record, nlohmann::ordered_json& json) {
+  describe(report,
+           [&](const char* name, const auto& value, const char*) { json[keyOf(name)] = value; });
+  describe(record, [&](const char* name, const auto& value, const char*) { json[name] = value; });
+}
+
 }  // namespace
 
 void RunRecord::addFrame(const StepReport& report) {
@@ -58,11 +73,11 @@ void RunRecord::addFrame(const StepReport& report) {
   wall_time_s += report.frame_wall_s;
   speed_limited += report.speed_limited;
   correction_limited += report.correction_limited;
-  peak_limited = std::max(peak_limited, std::size_t(report.speed_limited));
+  max_speed_limited = std::max(max_speed_limited, std::size_t(report.speed_limited));
   fastest_m_s = std::max(fastest_m_s, report.max_speed_m_s);
-  most_ice = std::max(most_ice, report.strictness);
+  max_ice = std::max(max_ice, report.strictness);
   max_ice_bodies = std::max(max_ice_bodies, report.ice_bodies);
-  most_steam = std::max(most_steam, report.steam_particles);
+  max_steam = std::max(max_steam, report.steam_particles);
 }
 
 void RunRecord::addSample(const StepReport& report, const DensityError& error) {
@@ -70,7 +85,8 @@ void RunRecord::addSample(const StepReport& report, const DensityError& error) {
   const double weight = 1.0 / double(samples);
   density_error_mean += weight * (error.mean - density_error_mean);
   density_error_max += weight * (error.max - density_error_max);
-  own_error_mean += weight * (report.density_error_mean - own_error_mean);
+  density_error_own_kernel_mean +=
+      weight * (report.density_error_mean - density_error_own_kernel_mean);
 }
 
 double RunRecord::realTimeFactor(double time_s) const {
@@ -84,7 +100,7 @@ std::string instability(const RunRecord& record, const StepReport& report) {
   if (record.escaped > 0) {
     return std::to_string(record.escaped) + " particles left a closed container";
   }
-  if (2 * record.peak_limited > report.particles && report.particles > 0) {
+  if (2 * record.max_speed_limited > report.particles && report.particles > 0) {
     return "the speed limit had to slow more than half of all particles within one frame";
   }
   return "";
@@ -100,39 +116,11 @@ void writeReport(const std::string& path, const Simulation& simulation, const Ru
   nlohmann::ordered_json json;
   json["scene"] = simulation.scene().name;
   json["preset"] = choices(Preset())[std::size_t(simulation.scene().preset)];
-  json["particles"] = report.particles;
-  json["springs"] = report.springs;
-  json["simulated_time_s"] = report.time_s;
-  json["wall_time_s"] = record.wall_time_s;
+  putNumbers(report, record, json);
   json["real_time_factor"] = record.realTimeFactor(report.time_s);
-  json["frames"] = report.frame;
-  json["steps"] = record.steps;
-  json["density_error_mean"] = record.density_error_mean;
-  json["density_error_max"] = record.density_error_max;
-  json["density_error_own_kernel_mean"] = record.own_error_mean;
-  json["kinetic_energy_j"] = report.kinetic_energy_j;
-  json["potential_energy_j"] = report.potential_energy_j;
-  json["elastic_energy_j"] = report.elastic_energy_j;
-  json["max_speed_m_s"] = report.max_speed_m_s;
-  json["fastest_m_s"] = record.fastest_m_s;
-  json["rms_speed_m_s"] = report.rms_speed_m_s;
-  json["residual_speed_m_s"] = record.residual_speed_m_s;
-  json["temperature_c"] = report.temperature_c;
-  json["strictness"] = report.strictness;
-  json["mean_celsius"] = report.mean_celsius;
-  json["most_ice"] = record.most_ice;
-  json["max_ice_bodies"] = record.max_ice_bodies;
-  json["most_steam"] = record.most_steam;
-  json["asleep"] = report.asleep;
-  json["speed_limited"] = record.speed_limited;
-  json["correction_limited"] = record.correction_limited;
-  json["escaped"] = record.escaped;
-  json["non_finite"] = report.non_finite;
   json["unstable"] = instability(record, report);
   json["peak_resident_bytes"] = peakResidentBytes();
   json["state_hash"] = hexText(simulation.stateHash());
-  json["threads"] = record.threads;
-  json["precision"] = record.precision;
   json["error"] = nlohmann::ordered_json::object();
   for (const ErrorMetric& metric : record.metrics) {
     if (std::isfinite(metric.value)) json["error"][metric.name] = metric.value;

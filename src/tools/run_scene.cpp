@@ -12,7 +12,7 @@
 #include "ice_ice_baby/checkpoint.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_loader.h"
-#include "output_room.h"
+#include "output_space.h"
 #include "run_report.h"
 #include "series_writer.h"
 
@@ -105,14 +105,14 @@ Scene readScene(const Options& options) {
   return loadScene(options.scene, overrides);
 }
 
-/// What the limits of the solver did to the run.
+/// Warnings about limits of the solver that took effect.
 void warnOfLimits(const Scene& scene, std::size_t particles, const RunRecord& record) {
   if (record.speed_limited > 0) {
     std::fprintf(stderr,
                  "run_scene: warning: solver.max_speed_m_s = %g slowed particles %llu times\n",
                  scene.solver.max_speed_m_s, static_cast<unsigned long long>(record.speed_limited));
   }
-  constexpr double kManyCut = 0.01;  // of the particles in a substep
+  constexpr double kManyCut = 0.01;  // fraction of the particles in a substep
   if (double(record.correction_limited) > kManyCut * double(particles) * double(record.steps)) {
     std::fprintf(stderr,
                  "run_scene: warning: solver.max_correction_h = %g cut %llu corrections: the water "
@@ -136,7 +136,7 @@ void printSummary(const Simulation& simulation, const RunRecord& record) {
   warnOfLimits(simulation.scene(), report.particles, record);
 }
 
-/// A checkpoint holds the scene as it was in force, so nothing of it can be asked for anew.
+/// A checkpoint contains its scene, so options that change the scene are refused with --load.
 void requireOnlyCheckpoint(const Options& options) {
   const std::vector<std::pair<std::string, bool>> given = {
       {"a scene", !options.scene.empty()},
@@ -169,7 +169,7 @@ void requireOutputs(const Options& options, const Scene& scene, double end_s) {
   if (outputs.autosave_s > 0.0 && outputs.save.empty()) {
     throw InvalidInput("--autosave needs --save FILE, which says where to");
   }
-  requireRoom(outputs, scene, end_s);
+  requireDiskSpace(outputs, scene, end_s);
   if (!outputs.save.empty()) requireSavable(outputs.save);
   if (!options.report.empty()) requireWritable(options.report, "report");
   if (!options.particles.empty()) requireWritable(options.particles, "particles");
@@ -199,7 +199,7 @@ int runScene(const Options& options) {
   if (!options.report.empty()) writeReport(options.report, *simulation, record);
   if (!options.particles.empty()) writeParticles(options.particles, *simulation);
   const std::string why = instability(record, simulation->report());
-  if (why.empty()) {  // else an older checkpoint stays
+  if (why.empty()) {  // otherwise keep the previous checkpoint
     saveEnd(*simulation, record, options.outputs.save);
     return kRan;
   }
@@ -207,7 +207,7 @@ int runScene(const Options& options) {
   return kUnstable;
 }
 
-/// A broken scene does not keep the others from being listed.
+/// Lists the other scenes even if one is invalid.
 int listScenes() {
   ExitCode code = kRan;
   for (const std::string& name : sceneNames()) {

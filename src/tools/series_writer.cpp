@@ -1,7 +1,6 @@
 #include "series_writer.h"
 
-#include <charconv>
-
+#include "base/shortest_text.h"
 #include "ice_ice_baby/errors.h"
 #include "metrics/cloud_moments.h"
 #include "resident_memory.h"
@@ -10,29 +9,62 @@ namespace ice_ice_baby {
 
 namespace {
 
-constexpr char kSeriesColumns[] =
-    "time_s,wall_s,density_error_mean,density_error_max,own_density_error_mean,"
-    "own_density_error_max,kinetic_energy_j,potential_energy_j,elastic_energy_j,"
-    "total_energy_j,rms_speed_m_s,max_speed_m_s,min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,"
-    "mean_x_m,mean_y_m,mean_z_m,rms_x_m,rms_y_m,rms_z_m,momentum_x_kg_m_s,momentum_y_kg_m_s,"
-    "momentum_z_kg_m_s,"
-    "angular_momentum_x_kg_m2_s,angular_momentum_y_kg_m2_s,angular_momentum_z_kg_m2_s,"
-    "temperature_c,strictness,springs,mean_celsius,enthalpy_j,thermal_speedup,ice_bodies,ice_"
-    "bodies_asleep,"
-    "ice_particles,steam_particles,resident_bytes\n";
 constexpr char kParticleColumns[] =
-    "id,x,y,z,vx,vy,vz,density,pressure_pa,temperature_c,ice_fraction\n";
+    "id,x,y,z,vx,vy,vz,density,pressure_pa,temperature_c,ice_fraction,phase\n";
 
-void append(std::string& row, double value) { row += (row.empty() ? "" : ",") + numberText(value); }
+/// A row of the table and the names of its columns.
+class Row {
+ public:
+  void add(const std::string& name, double value) {
+    const char* comma = names_.empty() ? "" : ",";
+    names_ += comma + name;
+    values_ += comma + numberText(value);
+  }
+  /// @param name with {} where the axis belongs
+  void add(const std::string& name, const Vec3d& vector) {
+    const std::size_t at = name.find("{}");
+    for (int k = 0; k < 3; ++k) add(std::string(name).replace(at, 2, 1, "xyz"[k]), vector[k]);
+  }
 
-void append(std::string& row, const Vec3d& vector) {
-  for (const double part : vector) append(row, part);
+  const std::string& names() const { return names_; }
+  const std::string& values() const { return values_; }
+
+ private:
+  std::string names_, values_;
+};
+
+void addMoments(Row& row, const CloudMoments& moments) {
+  row.add("min_{}_m", moments.min_m);
+  row.add("max_{}_m", moments.max_m);
+  row.add("mean_{}_m", moments.mean_m);
+  row.add("rms_{}_m", moments.rms_m);
+  row.add("momentum_{}_kg_m_s", moments.momentum_kg_m_s);
+  row.add("angular_momentum_{}_kg_m2_s", moments.angular_momentum_kg_m2_s);
 }
 
-/// The shortest text that reads back as the same float: "0.1", where its double has 17 digits.
-std::string floatText(float value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+/// All that the frame reports, but where the table has a column of its own: density errors by the
+/// kernel that all solvers are compared with are called as those of the solver's own kernel are.
+void addReport(Row& row, const StepReport& report) {
+  const auto add = [&](const std::string& name, const auto& value, const char*) {
+    const bool own_kernel = name.rfind("density_error", 0) == 0;
+    if (name != "time_s") row.add((own_kernel ? "own_" : "") + name, double(value));
+  };
+  describeReproducible(add, report);
+}
+
+Row rowOf(const FrameView& frame) {
+  const StepReport& report = frame.report();
+  Row row;
+  row.add("time_s", report.time_s);
+  row.add("wall_s", frame.frame_wall_s);
+  row.add("density_error_mean", frame.error.mean);
+  row.add("density_error_max", frame.error.max);
+  addReport(row, report);
+  row.add("total_energy_j",
+          report.kinetic_energy_j + report.potential_energy_j + report.elastic_energy_j);
+  addMoments(row, momentsOf(frame.particles, massOfParticle_kg(frame.scene())));
+  row.add("resident_bytes", double(residentBytes()));
+  return row;
 }
 
 void requireGood(const std::ofstream& file, const std::string& what, const std::string& path) {
@@ -42,34 +74,15 @@ void requireGood(const std::ofstream& file, const std::string& what, const std::
 }  // namespace
 
 SeriesWriter::SeriesWriter(std::string path) : path_(std::move(path)), file_(path_) {
-  file_ << kSeriesColumns << std::flush;
   requireGood(file_, "series", path_);
 }
 
 void SeriesWriter::add(const FrameView& frame) {
-  const StepReport& report = frame.report();
-  const CloudMoments moments = momentsOf(frame.particles, massOfParticle_kg(frame.scene()));
-  std::string row;
-  for (const double value :
-       {report.time_s, frame.frame_wall_s, frame.error.mean, frame.error.max,
-        report.density_error_mean, report.density_error_max, report.kinetic_energy_j,
-        report.potential_energy_j, report.elastic_energy_j,
-        report.kinetic_energy_j + report.potential_energy_j + report.elastic_energy_j,
-        report.rms_speed_m_s, report.max_speed_m_s}) {
-    append(row, value);
-  }
-  for (const Vec3d& vector : {moments.min_m, moments.max_m, moments.mean_m, moments.rms_m,
-                              moments.momentum_kg_m_s, moments.angular_momentum_kg_m2_s}) {
-    append(row, vector);
-  }
-  for (const double value :
-       {report.temperature_c, report.strictness, double(report.springs), report.mean_celsius,
-        report.enthalpy_j, report.thermal_speedup, double(report.ice_bodies),
-        double(report.ice_bodies_asleep), double(report.ice_particles),
-        double(report.steam_particles), double(residentBytes())}) {
-    append(row, value);
-  }
-  file_ << row << "\n" << std::flush;  // a run that is stopped leaves every frame it finished
+  const Row row = rowOf(frame);
+  if (!named_) file_ << row.names() << "\n";
+  named_ = true;
+  // A run that is stopped leaves every frame it finished.
+  file_ << row.values() << "\n" << std::flush;
   requireGood(file_, "series", path_);
 }
 
@@ -82,9 +95,9 @@ void writeParticles(const std::string& path, const Simulation& simulation) {
     std::string row = std::to_string(p.id);
     for (const float value : {p.x, p.y, p.z, p.vx, p.vy, p.vz, p.density, p.pressure_pa,
                               p.temperature_c, p.ice_fraction}) {
-      row += "," + floatText(value);
+      row += "," + shortestText(value);
     }
-    file << row << "\n";
+    file << row << "," << int(p.phase) << "\n";
   }
   file.close();
   requireGood(file, "particles", path);

@@ -10,15 +10,17 @@ namespace ice_ice_baby {
 
 class SeriesWriter {
  public:
-  /// Writes the line of column names. @throws InvalidInput when the file cannot be written
+  /// @throws InvalidInput when the file cannot be written
   explicit SeriesWriter(std::string path);
 
-  /// @throws InvalidInput when the file cannot be written
+  /// Writes a row, and before the first one the names of the columns. @throws InvalidInput when the
+  /// file cannot be written
   void add(const FrameView& frame);
 
  private:
   std::string path_;
   std::ofstream file_;
+  bool named_ = false;  ///< whether the columns have their names
 };
 
 /// Writes the state now as CSV, one row per particle, by id. @throws InvalidInput when the file

@@ -1,10 +1,10 @@
-// SIGINT and SIGTERM as a wish to end after the present frame.
+// Handles SIGINT and SIGTERM as a request to stop after the present frame.
 #pragma once
 
 namespace ice_ice_baby {
 
-/// While it lives, the first of these signals is noted and a second one ends the program as usual.
-/// One at a time.
+/// While an instance exists, the first of these signals is recorded and a second one ends the
+/// program as usual. At most one instance may exist.
 class StopSignal {
  public:
   StopSignal();

@@ -8,7 +8,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// NumPy wants the data at a multiple of 64 bytes; two lines leave room for any shape.
+/// NumPy aligns the data to 64 bytes; 128 bytes leave room for any shape.
 constexpr std::size_t kHeader_bytes = 128;
 
 }  // namespace
@@ -28,8 +28,7 @@ void TrajectoryRecorder::add(const FrameView& frame) {
   writeHeader();
 }
 
-/// The number of frames is known only at the end, and a run may be stopped: the header is written
-/// anew after every frame, so the file can always be read.
+/// Rewrites the header after every frame, so that the file of an interrupted run can be read.
 void TrajectoryRecorder::writeHeader() {
   std::string header("\x93NUMPY\x01\x00", 8);
   const std::size_t length = kHeader_bytes - 10;

@@ -1,4 +1,4 @@
-// Where every particle was in every frame, as one array that NumPy reads.
+// Records the position of every particle in every frame as one NumPy array.
 #pragma once
 
 #include <fstream>
@@ -8,7 +8,8 @@
 
 namespace ice_ice_baby {
 
-/// A .npy file, format version 1.0: float32 in the order (frame, id, xyz), m; frame 0 is the start.
+/// A .npy file, format version 1.0: float32 of shape (frames, particles, 3), m, particles by id.
+/// Frame 0 is the initial state.
 class TrajectoryRecorder {
  public:
   /// @throws InvalidInput when the file cannot be written

@@ -42,13 +42,17 @@ Colour waterColour(float celsius) {
   return colour;
 }
 
+float whiteness(const ParticleSample& sample) {
+  return 0.5f * (sample.ice_fraction + (sample.phase == Phase::kIce ? 1.0f : 0.0f));
+}
+
 std::uint32_t particleColour(float ice_fraction) {
   return packed(mixed(kWater, kIceColour, ice_fraction));
 }
 
 std::uint32_t heatColour(const ParticleSample& sample) {
-  if (sample.density <= kSteamDensity) return packed(kSteamColour);
-  return packed(mixed(waterColour(sample.temperature_c), kIceColour, sample.ice_fraction));
+  if (sample.phase == Phase::kSteam) return packed(kSteamColour);
+  return packed(mixed(waterColour(sample.temperature_c), kIceColour, whiteness(sample)));
 }
 
 }  // namespace ice_ice_baby

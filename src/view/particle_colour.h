@@ -21,11 +21,16 @@ Colour mixed(Colour a, Colour b, float share);
 /// From deep blue at 0 degrees C over the usual blue at 20 to red at 100.
 Colour waterColour(float celsius);
 
-/// Without heat: water is blue, ice nearly white. Packed as 0x00RRGGBB.
+/// Share of ice in the colour of a particle, 0 ... 1: the colour tells whether it flows. Water is 0
+/// to 1/2 by the ice in it, ice 1/2 to 1 by what of it has not melted yet.
+float whiteness(const ParticleSample& sample);
+
+/// Without heat: water is blue, ice nearly white, in between by the strictness of the springs.
+/// Packed as 0x00RRGGBB.
 std::uint32_t particleColour(float ice_fraction);
 
-/// With heat: water by its temperature, ice nearly white by its fraction, steam light grey. Packed
-/// as 0x00RRGGBB.
+/// With heat: water by its temperature, ice nearly white, both mixed by `whiteness`, steam light
+/// grey. Packed as 0x00RRGGBB.
 std::uint32_t heatColour(const ParticleSample& sample);
 
 }  // namespace ice_ice_baby

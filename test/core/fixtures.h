@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene.h"
 #include "particles/neighbours.h"
 #include "particles/particles.h"
 
 namespace ice_ice_baby::test {
 
-/// The same numbers on every machine, which std::uniform_real_distribution does not promise.
+/// Gives the same numbers on every machine; std::uniform_real_distribution need not.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -31,7 +32,7 @@ class Random {
       if (v.norm() > 0.1 && v.norm() < 1.0) return v.normalized();
     }
   }
-  /// A step of any size from a hair to far beyond every scene.
+  /// A step in any direction, from a micrometre to a kilometre long.
   Vec3d anyStep() { return direction() * std::pow(10.0, uniform(-6.0, 3.0)); }
 
  private:
@@ -46,7 +47,7 @@ inline std::vector<Vec3d> randomPoints(std::size_t count, const Vec3d& low, cons
   return points;
 }
 
-/// Lattice of n x n x n points, the first half a spacing inside `low`.
+/// Lattice of n x n x n points; the first is half a spacing inside `low` on each axis.
 inline std::vector<Vec3d> lattice(int n, double spacing_m, const Vec3d& low = Vec3d::Zero()) {
   std::vector<Vec3d> points;
   for (int z = 0; z < n; ++z) {
@@ -57,6 +58,17 @@ inline std::vector<Vec3d> lattice(int n, double spacing_m, const Vec3d& low = Ve
     }
   }
   return points;
+}
+
+/// Message of the InvalidInput that the work throws; "" where it throws none.
+template <class Work>
+std::string refusalOf(const Work& work) {
+  try {
+    work();
+  } catch (const InvalidInput& e) {
+    return e.what();
+  }
+  return "";
 }
 
 template <class Real>
@@ -75,7 +87,7 @@ Particles<Real> particlesAt(const std::vector<Vec3d>& points) {
   return particles;
 }
 
-/// Particles sorted by cell with the lists of their neighbours.
+/// Particles sorted by cell, with their neighbour lists.
 template <class Real>
 struct Cloud {
   Cloud(const std::vector<Vec3d>& points, double support_m, double skin_m = 0.0)
@@ -126,7 +138,7 @@ inline Sphere ball(const Vec3d& centre, double radius_m) {
   return one;
 }
 
-/// A cube of n^3 particles at 5 cm floating free, gravity off.
+/// A cube of n^3 particles at a spacing of 5 cm, without gravity.
 inline Scene floatingCube(int n) {
   Scene scene;
   scene.fluid.spacing_m = 0.05;
@@ -135,7 +147,7 @@ inline Scene floatingCube(int n) {
   return scene;
 }
 
-/// A tank that a block of n x n x n particles at 5 cm fills to the last particle.
+/// A tank filled exactly by n x n x n particles at a spacing of 5 cm.
 inline Scene fullTank(int n, bool open_top = false) {
   Scene scene = floatingCube(n);
   const double edge = 0.05 * n;
@@ -145,7 +157,7 @@ inline Scene fullTank(int n, bool open_top = false) {
   return scene;
 }
 
-/// Water falling off one side of a closed tank: splashes hard within the first second.
+/// Water that falls along one side of a closed tank and splashes hard within the first second.
 inline Scene splash() {
   Scene scene;
   scene.fluid.spacing_m = 0.05;

@@ -1,4 +1,4 @@
-// Scenes that makeSimulation refuses, for tests of what the core does with them all the same.
+// Simulations of scenes that makeSimulation would refuse.
 #pragma once
 
 #include <memory>

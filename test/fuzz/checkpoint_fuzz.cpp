@@ -12,7 +12,7 @@ namespace ice_ice_baby::fuzz {
 
 namespace {
 
-/// Without walls, whose tables cost a second with sanitizers.
+/// Without boundary density, whose tables take a second with sanitizers.
 constexpr char kScene[] = R"(
 fluid: {spacing_m: 0.05, boundary_density: false}
 thermal: {enabled: true}
@@ -22,12 +22,12 @@ blocks: [{min_m: [-0.1, -0.1, 0], max_m: [0.1, 0.1, 0.1], celsius: -1},
 planes: [{name: ground, heat: temperature}]
 )";
 
-/// Of doc/checkpoints.md: bytes of the state at 16, checksum of all but itself at 28, state at 32.
+/// From doc/checkpoints.md: size of the state at 16, checksum at 28, state at 32.
 constexpr std::size_t kSizePlace = 16;
 constexpr std::size_t kChecksumPlace = 28;
 constexpr std::size_t kHeader_bytes = 32;
 
-/// A change of four bytes: where, in 1/65536 of the checkpoint, and what.
+/// An edit is a place, in 1/65536 of the checkpoint, and the four bytes to put there.
 constexpr std::size_t kEdit_bytes = 6;
 
 std::string freshCheckpoint() {
@@ -36,7 +36,7 @@ std::string freshCheckpoint() {
   return encodeCheckpoint(*simulation);
 }
 
-/// Random bytes never have the right checksum, so the fuzzer would see no further than that.
+/// Without this the checksum would stop the fuzzer.
 void mendChecksum(std::string& checkpoint) {
   const std::uint64_t state_bytes = checkpoint.size() - kHeader_bytes;
   std::memcpy(checkpoint.data() + kSizePlace, &state_bytes, sizeof state_bytes);
@@ -68,7 +68,7 @@ void load(const std::string& bytes) {
 
 }  // namespace
 
-/// The bytes as they are, and as edits of a checkpoint that was one.
+/// Loads the bytes as they are, then as edits of a valid checkpoint.
 void checkpoint(const std::string& bytes) {
   static const std::string fresh = freshCheckpoint();
   load(bytes);

@@ -9,7 +9,7 @@ namespace ice_ice_baby::fuzz {
 
 namespace {
 
-/// Without containers and balls, whose tables cost a second with sanitizers.
+/// Without containers and balls, whose tables take a second with sanitizers.
 constexpr char kScene[] = R"(
 fluid: {spacing_m: 0.05, boundary_density: false}
 thermal: {enabled: true, speedup: 1000}
@@ -25,7 +25,7 @@ planes:
 constexpr int kMaxFrames = 5;
 constexpr int kMaxCommands = 100;
 
-/// Words of a line; a number is whatever strtod makes of one, so nan, inf and 0x1p-1074 are too.
+/// Words of a line; numbers are read by strtod, so nan, inf and 0x1p-1074 are numbers.
 class Words {
  public:
   explicit Words(const std::string& line) : stream_(line) {}
@@ -57,7 +57,7 @@ HeatedRegion readRegion(Words& words) {
   return region;
 }
 
-/// Not normalised: what is no rotation is for the simulation to refuse.
+/// Not normalised, as the simulation has to refuse what is not a rotation.
 Posed readPose(Words& words) {
   Posed pose;
   pose.position = words.vector();

@@ -1,4 +1,4 @@
-// Every committed seed through its target, without a fuzzer: what one has found stays found.
+// Calls each target with its committed seeds, so that what a fuzzer found is tested in every build.
 #include <gtest/gtest.h>
 
 #include <filesystem>

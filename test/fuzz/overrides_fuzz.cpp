@@ -8,7 +8,7 @@ namespace ice_ice_baby::fuzz {
 
 namespace {
 
-/// One of everything, so that every key has something to change.
+/// One entry in each list, so that every key can be overridden.
 constexpr char kScene[] = R"(
 fluid: {spacing_m: 0.05}
 thermal: {enabled: true}

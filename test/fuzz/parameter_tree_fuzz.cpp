@@ -9,7 +9,7 @@ namespace ice_ice_baby::fuzz {
 void parameterTree(const std::string& bytes) {
   int offset = 0;
   XmlRpc::XmlRpcValue tree;
-  // What the client library itself cannot read never reaches the node.
+  // Input that roscpp cannot parse never reaches the node.
   if (!tree.fromXml(bytes, &offset)) return;
   try {
     const NodeParameters parameters = readParameters(tree);

@@ -62,7 +62,7 @@ void runTwoFrames(Simulation& simulation) {
 
 void runIfSmall(Scene scene) {
   if (!isSmall(scene)) return;
-  // The tables of walls in the density cost a second with sanitizers; heat makes them in any case.
+  // Tables of the boundary density take a second with sanitizers; heat needs them for containers.
   scene.fluid.boundary_density = false;
   if (scene.thermal.enabled) scene.containers.clear();
   runTwoFrames(*makeSimulation(scene, Precision::kFloat, 1));

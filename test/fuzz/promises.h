@@ -1,4 +1,4 @@
-// What every target holds the code to.
+// Promises that every target checks.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace ice_ice_baby::fuzz {
 
-/// A refusal is one line that a terminal can show, of a length that a person reads.
+/// A refusal must be one printable line of readable length.
 void requireReadable(const std::string& message);
 
-/// Every particle is there and finite.
+/// Every particle must be there and finite.
 void requireWhole(const Simulation& simulation, std::size_t particles);
 
-/// Whether two frames of a scene take no more than milliseconds.
+/// Whether two frames of the scene take milliseconds.
 bool isSmall(const Scene& scene);
 
 /// Runs two frames under requireWhole.
 void runTwoFrames(Simulation& simulation);
 
-/// runTwoFrames of a scene; one that is valid but large is left alone.
+/// Calls runTwoFrames unless the scene is large.
 void runIfSmall(Scene scene);
 
 }  // namespace ice_ice_baby::fuzz

@@ -22,7 +22,7 @@ blocks: [{min_m: [-0.1, -0.1, 0], max_m: [0.1, 0.1, 0.1], celsius: -1}]
 planes: [{name: tank, heat: temperature}]
 )";
 
-/// @throws ros::Exception where the bytes end too early, as roscpp does before any callback
+/// @throws ros::Exception if the bytes end too early; roscpp then calls no callback
 template <class Request>
 Request read(const std::string& bytes) {
   std::string copy = bytes;
@@ -33,7 +33,7 @@ Request read(const std::string& bytes) {
   return request;
 }
 
-/// The first byte tells which service; the rest is the request.
+/// The first byte selects the service; the rest is the request.
 void serve(Simulation& simulation, const std::string& bytes) {
   const std::string rest = bytes.substr(1);
   switch (bytes[0]) {

@@ -1,5 +1,5 @@
-// What the fuzzers feed with hostile bytes. Each target is also run by fuzz_seeds_test, over every
-// committed seed, in the ordinary build.
+// Functions that the fuzzers call with arbitrary bytes. In the ordinary build fuzz_seeds_test calls
+// each with every committed seed.
 #pragma once
 
 #include <stdexcept>
@@ -7,13 +7,13 @@
 
 namespace ice_ice_baby::fuzz {
 
-/// A promise of the code under test does not hold. Nothing catches it: the fuzzer stops there.
+/// Thrown if the code under test breaks a promise. Nothing catches it, so the fuzzer stops.
 class Broken : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
 
-/// A function that takes any bytes and throws only Broken; whatever else leaves it is a finding.
+/// Accepts any bytes and may throw only Broken; any other exception is a finding.
 using Target = void (*)(const std::string& bytes);
 
 void sceneYaml(const std::string& bytes);   ///< a scene file

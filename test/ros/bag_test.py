@@ -1,13 +1,12 @@
 #!/usr/bin/python3
 """A recorded bag holds every topic, reads back, and plays into new subscribers."""
 import os
+import pathlib
 import signal
 import subprocess
 import sys
 import tempfile
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rosbag
 import rospy
@@ -15,7 +14,8 @@ from sensor_msgs import point_cloud2
 from sensor_msgs.msg import PointCloud2
 from visualization_msgs.msg import MarkerArray
 
-from harness import Latest, Node
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Latest, Node
 
 TOPICS = ['particles', 'springs', 'colliders', 'state']
 
@@ -79,7 +79,7 @@ class Bag(unittest.TestCase):
                                     text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         with recorder:
             said = ''
-            while 'Disabling recording' not in said:  # what the user is told, by rosbag
+            while 'Disabling recording' not in said:  # as rosbag reports it
                 line = recorder.stdout.readline()
                 self.assertTrue(line, said)
                 said += line

@@ -1,4 +1,5 @@
-// Names of checkpoints: none leads out of the folder, none fills the disk, the newest comes first.
+// The folder of checkpoints is created when needed; no name leads out of it or fills the disk; the
+// newest checkpoint comes first.
 #include "checkpoint_folder.h"
 
 #include <gtest/gtest.h>
@@ -58,6 +59,100 @@ TEST_F(Folder, MustBeAnAbsolutePath) {
   }
 }
 
+/// Sets an environment variable, or unsets it for null, until the end of the test.
+class Environment {
+ public:
+  Environment(const char* name, const char* value) : name_(name) {
+    const char* before = std::getenv(name);
+    had_ = before != nullptr;
+    if (had_) before_ = before;
+    set(value);
+  }
+  ~Environment() { set(had_ ? before_.c_str() : nullptr); }
+
+ private:
+  void set(const char* value) const {
+    if (value) {
+      setenv(name_, value, 1);
+    } else {
+      unsetenv(name_);
+    }
+  }
+
+  const char* name_;
+  bool had_;
+  std::string before_;
+};
+
+template <class Call>
+std::string refusalOf(const Call& call) {
+  try {
+    call();
+  } catch (const InvalidInput& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST_F(Folder, IsCreatedByTheFirstSaveOrAutosave) {
+  const CheckpointFolder saved((root_ / "a/b/c").string());
+  EXPECT_EQ(saved.problem(), "");
+  EXPECT_FALSE(fs::exists(root_ / "a"));
+  EXPECT_EQ(content(saved.save("bytes", "first")), "bytes");
+  EXPECT_EQ(saved.names(), Names{"first"});
+  const CheckpointFolder autosaved((root_ / "x/y/").string());
+  EXPECT_EQ(content(autosaved.autosave("bytes")), "bytes");
+}
+
+TEST_F(Folder, AFileInTheWayIsNamedWithTheCure) {
+  std::ofstream(root_ / "file") << "not a folder";
+  for (const fs::path& path : {root_ / "file", root_ / "file/below/it"}) {
+    const CheckpointFolder blocked(path.string());
+    for (const std::string& why :
+         {blocked.problem(), refusalOf([&] { blocked.create(); }),
+          refusalOf([&] { blocked.save("bytes", "name"); }),
+          refusalOf([&] { blocked.autosave("bytes"); }), refusalOf([&] { blocked.find("name"); }),
+          refusalOf([&] { resumeFrom(blocked, 1); })}) {
+      EXPECT_NE(why.find(path.string()), std::string::npos) << why;
+      EXPECT_TRUE(why.find("is not a folder") != std::string::npos ||
+                  why.find("Not a directory") != std::string::npos)
+          << why;
+      EXPECT_NE(why.find("set ~checkpoint_folder"), std::string::npos) << why;
+    }
+  }
+}
+
+TEST_F(Folder, ThatCannotBeCreatedIsRefusedWithTheReason) {
+  const std::string why = refusalOf([] { CheckpointFolder("/proc/self/here").create(); });
+  EXPECT_NE(why.find("/proc/self/here"), std::string::npos) << why;
+  EXPECT_NE(why.find("set ~checkpoint_folder"), std::string::npos) << why;
+}
+
+TEST_F(Folder, ByDefaultLiesInRosHomeOrHome) {
+  const Environment ros_home("ROS_HOME", nullptr);
+  const Environment home("HOME", "/home/somebody");
+  EXPECT_EQ(CheckpointFolder::defaultFor("/ns/sim").path(),
+            "/home/somebody/.ros/ice_ice_baby/ns/sim");
+  const Environment set("ROS_HOME", "/var/lib/ros");
+  EXPECT_EQ(CheckpointFolder::defaultFor("/sim").path(), "/var/lib/ros/ice_ice_baby/sim");
+}
+
+TEST_F(Folder, WithoutAHomeEveryUseIsRefusedWithTheCure) {
+  const Environment ros_home("ROS_HOME", nullptr);
+  for (const char* value : {static_cast<const char*>(nullptr), "", "here"}) {
+    const Environment home("HOME", value);
+    const CheckpointFolder none = CheckpointFolder::defaultFor("/sim");
+    EXPECT_EQ(none.path(), "");
+    for (const std::string& why :
+         {none.problem(), refusalOf([&] { none.create(); }),
+          refusalOf([&] { none.save("bytes", "name"); }), refusalOf([&] { none.find("name"); }),
+          refusalOf([&] { resumeFrom(none, 1); })}) {
+      EXPECT_NE(why.find("neither ROS_HOME nor HOME"), std::string::npos) << why;
+      EXPECT_NE(why.find("~checkpoint_folder"), std::string::npos) << why;
+    }
+  }
+}
+
 TEST_F(Folder, WritesAndFindsWhatWasNamed) {
   const std::string file = folder().save("bytes", "before-Freezing_2");
   EXPECT_EQ(file, (root_ / "before-Freezing_2.ckpt").string());
@@ -80,19 +175,19 @@ TEST_F(Folder, NoNameLeadsOutOfIt) {
   EXPECT_EQ(refusal(std::string(64, 'a')), "");
 }
 
-TEST_F(Folder, ALinkLeadsOutOfItNeither) {
+TEST_F(Folder, ALinkIsRefused) {
   fs::create_symlink("/tmp/elsewhere", root_ / "link.ckpt");
   EXPECT_NE(refusal("link").find("is a link"), std::string::npos);
   EXPECT_FALSE(fs::exists("/tmp/elsewhere"));
 }
 
-TEST_F(Folder, NamesOfTheNodeAreItsOwn) {
-  EXPECT_NE(refusal("autosave_1").find("does not begin with"), std::string::npos);
+TEST_F(Folder, NamesOfAutosavesAreReserved) {
+  EXPECT_NE(refusal("autosave_1").find("does not begin with autosave"), std::string::npos);
   folder().autosave("bytes");
   EXPECT_EQ(content(folder().find("autosave_1")), "bytes");
 }
 
-TEST_F(Folder, TellsWhatThereIs) {
+TEST_F(Folder, SuggestsAnExistingName) {
   try {
     put("melted", 0);
     folder().find("meltd");
@@ -102,7 +197,7 @@ TEST_F(Folder, TellsWhatThereIs) {
   }
 }
 
-TEST_F(Folder, AGuestCannotFillTheDisk) {
+TEST_F(Folder, ManySavesCannotFillTheDisk) {
   for (int k = 0; k < 100; ++k) put("n" + std::to_string(k), k);
   EXPECT_NE(refusal("one_more").find("100 allowed"), std::string::npos);
   EXPECT_EQ(refusal("n7"), "");  // in place of one that is there

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""Save, load, autosave and resume of a node that is killed at any moment."""
+"""Save, load, autosave and resume, also of a node that is killed at any moment."""
 import glob
 import os
+import pathlib
 import random
 import signal
 import subprocess
@@ -11,11 +12,11 @@ import threading
 import time
 import unittest
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-
 import rospy
 
-from harness import Node, wait_until
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Node, wait_until
+
 from processes import SIMULATION_NODE
 
 SPACING_M = 0.02  # 3375 particles: a file that takes a while to write
@@ -34,7 +35,7 @@ class Checkpoint(unittest.TestCase):
 
     def tearDown(self):
         try:
-            if self.child:  # ends in peace, or coverage would not learn which lines it ran
+            if self.child:  # a clean end, so that coverage is written
                 self.child.terminate()
                 self.child.wait(timeout=30)
         finally:
@@ -47,26 +48,31 @@ class Checkpoint(unittest.TestCase):
             self.child.wait()
 
     def start(self, *parameters, prefix=(), scene='small'):
-        """A paused node of the name /sim that keeps its checkpoints in the folder."""
+        """A paused node /sim that keeps its checkpoints in the folder of the test."""
+        self.run_node('scene:=' + scene, 'checkpoint_folder:=' + self.folder.name, *parameters,
+                      prefix=prefix)
+        return self.wait_for_node()
+
+    def run_node(self, *parameters, prefix=(), env=None):
         self.kill()
-        words = ['scene:=' + scene, 'threads:=1', 'start_paused:=true',
-                 'checkpoint_folder:=' + self.folder.name,
-                 'overrides/fluid/spacing_m:=%g' % SPACING_M, *parameters]
-        log = open(os.path.join(self.folder.name, 'log'), 'a', encoding='utf-8')
-        with log:
+        words = ['threads:=1', 'start_paused:=true', 'overrides/fluid/spacing_m:=%g' % SPACING_M,
+                 *parameters]
+        with open(os.path.join(self.folder.name, 'log'), 'a', encoding='utf-8') as log:
             self.child = subprocess.Popen(
                 [*prefix, SIMULATION_NODE, '__name:=sim', *('_' + word for word in words)],
-                stdout=log, stderr=log)
+                stdout=log, stderr=log, env=env)
+
+    def wait_for_node(self):
         node = Node()
-        wait_until(lambda: self.stands(node), 'the node')
+        wait_until(lambda: self.ready(node), 'the node')
         return node
 
     @staticmethod
-    def stands(node):
+    def ready(node):
         try:
             return node.state().state_hash
         except rospy.ServiceException:
-            return False  # the master still names the one that was killed
+            return False  # the master still names the killed node
 
     def log(self):
         with open(os.path.join(self.folder.name, 'log'), encoding='utf-8') as log:
@@ -76,7 +82,7 @@ class Checkpoint(unittest.TestCase):
         return sorted(os.path.basename(f) for f in glob.glob(self.folder.name + '/*.ckpt'))
 
     def wait_for_quiet(self):
-        """Until the paused scene is saved as it stands."""
+        """Waits until autosaves have caught up with the paused scene."""
         def written():
             return [os.stat(f).st_mtime_ns for f in sorted(glob.glob(self.folder.name + '/*.ckpt'))]
         before = None
@@ -109,6 +115,94 @@ class Checkpoint(unittest.TestCase):
         self.assertIn('came from a checkpoint', node.reset(scene='', preset='paper').message)
         self.assertTrue(node.reset(scene='', preset='').success)
         node.when(lambda s: s.frame == 0 and s.scene == 'small', 'its start')
+
+    # The default folder
+
+    def home(self):
+        """The environment of a user whose home is empty."""
+        home = os.path.join(self.folder.name, 'home')
+        os.makedirs(home, exist_ok=True)
+        env = dict(os.environ, HOME=home)
+        env.pop('ROS_HOME', None)
+        return env, os.path.join(home, '.ros', 'ice_ice_baby', 'sim')
+
+    def assert_ends_with_1(self, *words):
+        self.assertEqual(self.child.wait(timeout=20), 1, self.log())
+        for word in words:
+            self.assertIn(word, self.log())
+
+    def test_save_and_load_create_the_default_folder(self):
+        env, default = self.home()
+        self.run_node('scene:=small', env=env)
+        node = self.wait_for_node()
+        self.assertFalse(os.path.exists(default))  # not before it is needed
+        self.assertIn('call save first', node.load(name='first').message)
+        answer = node.save(name='first')
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(answer.file, os.path.join(default, 'first.ckpt'))
+        self.assertTrue(os.path.isfile(answer.file))
+        answer = node.load(name='first')
+        self.assertTrue(answer.success, answer.message)
+
+    def test_autosave_and_resume_create_the_default_folder(self):
+        env, default = self.home()
+        parameters = ['scene:=small', 'autosave_s:=0.1', 'resume:=true']
+        self.run_node(*parameters, env=env)
+        self.wait_for_node().run_frames(3)
+        wait_until(lambda: os.path.exists(os.path.join(default, 'autosave_2.ckpt')), 'autosaves')
+        self.run_node(*parameters, env=env)
+        self.assertGreater(self.wait_for_node().state().frame, 0)
+        self.assertNotIn('ERROR', self.log())
+
+    def test_a_folder_that_cannot_be_created_is_a_warning_and_save_is_refused(self):
+        env, default = self.home()
+        with open(os.path.join(env['HOME'], '.ros'), 'w', encoding='utf-8'):
+            pass  # a file where the folder should be
+        env['ROS_LOG_DIR'] = self.folder.name
+        self.run_node('scene:=small', env=env)
+        node = self.wait_for_node()
+        self.assertIn('save will be refused: cannot use the checkpoint folder ' + default,
+                      self.log())
+        before = node.hash()
+        for answer in (node.save(name='first'), node.load(name='first')):
+            self.assertFalse(answer.success)
+            self.assertIn('cannot use the checkpoint folder ' + default, answer.message)
+            self.assertIn('set ~checkpoint_folder', answer.message)
+        self.assertEqual(node.hash(), before)
+        node.run_frames(1)
+        os.unlink(os.path.join(env['HOME'], '.ros'))
+        self.assertTrue(node.save(name='first').success)  # cured while the node runs
+
+    def test_autosave_or_resume_without_a_usable_folder_ends_with_exit_code_1(self):
+        env, default = self.home()
+        with open(os.path.join(env['HOME'], '.ros'), 'w', encoding='utf-8'):
+            pass
+        env['ROS_LOG_DIR'] = self.folder.name
+        for parameter in ('autosave_s:=10', 'resume:=true'):
+            if rospy.has_param('/sim'):
+                rospy.delete_param('/sim')
+            self.run_node('scene:=small', parameter, env=env)
+            self.assert_ends_with_1(default, 'set ~checkpoint_folder')
+        del env['HOME']
+        rospy.delete_param('/sim')
+        self.run_node('scene:=small', 'autosave_s:=10', env=env)
+        self.assert_ends_with_1('neither ROS_HOME nor HOME')
+
+    def test_a_read_only_folder_is_refused_by_name(self):
+        if subprocess.run(['unshare', '-m', 'true'], check=False, capture_output=True).returncode:
+            self.skipTest('needs the right to mount a read-only folder')
+        env, _ = self.home()
+        read_only = ['unshare', '-m', 'sh', '-c', 'mount -t tmpfs -o ro tmpfs %s; exec "$0" "$@"'
+                     % env['HOME']]
+        env['ROS_LOG_DIR'] = self.folder.name
+        self.run_node('scene:=small', prefix=read_only, env=env)
+        answer = self.wait_for_node().save(name='first')
+        self.assertFalse(answer.success)
+        self.assertIn('Read-only file system', answer.message)
+        self.run_node('scene:=small', 'autosave_s:=10', prefix=read_only, env=env)
+        self.assert_ends_with_1('Read-only file system')
+
+    # Broken and interrupted
 
     def test_a_broken_file_is_refused_and_changes_nothing(self):
         node = self.start()
@@ -159,7 +253,7 @@ class Checkpoint(unittest.TestCase):
 
     @staticmethod
     def save_on(node, saved):
-        """Saves until the node is dead; notes the frame that is surely on disk."""
+        """Saves until the node is killed; notes the last frame known to be on disk."""
         try:
             while True:
                 frame = node.state().frame
@@ -169,7 +263,7 @@ class Checkpoint(unittest.TestCase):
             pass  # killed
 
     def test_resumes_from_the_newest_whole_one(self):
-        node = self.start('autosave_s:=0.1', 'resume:=true')  # no folder yet: the scene
+        node = self.start('autosave_s:=0.1', 'resume:=true')  # no checkpoint yet: the scene
         self.assertEqual(node.state().frame, 0)
         node.run_frames(2)
         wait_until(lambda: 'autosave_1.ckpt' in self.files(), 'an autosave')
@@ -191,9 +285,9 @@ class Checkpoint(unittest.TestCase):
         node = self.start('resume:=true')
         self.assertEqual(node.state().frame, 0)
         status = node.diagnostic('checkpoints', lambda s: s.level == 1)
-        self.assertIn('the scene started instead', status.message)
+        self.assertIn('started the scene instead', status.message)
 
-    def test_a_full_disk_is_told_and_the_node_goes_on(self):
+    def test_a_full_disk_is_reported_and_the_node_goes_on(self):
         if subprocess.run(['unshare', '-m', 'true'], check=False, capture_output=True).returncode:
             self.skipTest('needs the right to mount a small disk')
         full = ['unshare', '-m', 'sh', '-c', 'mount -t tmpfs -o size=64k tmpfs %s; exec "$0" "$@"'

@@ -1,17 +1,16 @@
 #!/usr/bin/python3
-"""Simulated time on /clock, other nodes that run by it, and two clocks at once."""
-import os
+"""Simulated time on /clock, other nodes that follow it, and two clocks at once."""
+import pathlib
 import sys
 import time
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rosgraph
 import rospy
 from rosgraph_msgs.msg import Clock
 
-from harness import Latest, Node
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Latest, Node
 
 
 def seconds(message):

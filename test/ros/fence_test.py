@@ -1,15 +1,10 @@
 #!/usr/bin/python3
-"""Who can reach the demo: what README.md says of its sockets, and that the fence holds."""
+"""Who can reach the demo: the sockets as in doc/operating.md, and that the fence holds."""
 import os
 import socket
 import subprocess
-import sys
-import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from processes import SIMULATION_NODE, Processes
-
 SCRIPTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'scripts')
 FENCE = os.path.join(SCRIPTS, 'fence')
 LISTENS = '0A'
@@ -47,7 +42,7 @@ def listening(pid):
 class Fence(Processes):
     def demo_environment(self):
         """What scripts/demo sets for all that it starts."""
-        shell = 'source %s/lib.sh; use_private_master; env' % SCRIPTS
+        shell = 'source %s/lib/lib.sh; use_private_master; env' % SCRIPTS
         env = dict(os.environ, ROS_HOSTNAME='elsewhere', ROS_IP='10.0.0.1')
         lines = subprocess.run(['bash', '-c', shell], env=env, check=True, text=True,
                                stdout=subprocess.PIPE).stdout.splitlines()
@@ -64,7 +59,7 @@ class Fence(Processes):
         node = self.start_node('scene:=small', 'threads:=1')
         self.state()
         self.assertEqual({address for address, _ in listening(master.pid)}, {'127.0.0.1'})
-        # As README.md says: data on loopback, the node's XML-RPC on every interface.
+        # As in doc/operating.md: data on loopback, the node's XML-RPC on every interface.
         self.assertEqual(sorted(address for address, _ in listening(node.pid)),
                          ['0.0.0.0', '127.0.0.1'])
 

@@ -1,18 +1,16 @@
 #!/usr/bin/python3
 """Fifty clients and ten subscribers that never read: frames go on, queues stay bounded."""
-import os
+import pathlib
 import sys
 import unittest
-
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [HERE, os.path.join(HERE, '..', '..', 'scripts')]
 
 import rospy
 from ice_ice_baby.msg import State
 from sensor_msgs.msg import PointCloud2
 
-from harness import Latest, Node
-from ros_load import Clients, SilentSubscriber, memory_mb, process_of
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.load import Clients, SilentSubscriber
+from iib.ros.node import Latest, Node, memory_mb, process_of
 
 CLIENTS, SUBSCRIBERS, FRAMES = 50, 10, 200
 

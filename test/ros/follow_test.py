@@ -1,12 +1,10 @@
 #!/usr/bin/python3
-"""A collider follows a tf frame; one whose frame is missing stands still and says so."""
+"""A collider follows a tf frame; if that is missing, it does not move and a warning says so."""
 import math
-import os
+import pathlib
 import sys
 import time
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rosgraph
 import rospy
@@ -14,7 +12,8 @@ from geometry_msgs.msg import TransformStamped
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
-from harness import Latest, Node, wait_until
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Latest, Node, wait_until
 
 BALL = 'ice_ice_baby/scene/ball'
 
@@ -27,7 +26,7 @@ class Follow(unittest.TestCase):
         cls.tf = rospy.Publisher('/tf', TFMessage, queue_size=10)
 
     def put_hand(self, x, w=1.0):
-        """Publishes where the frame `hand` is, in the world; w is of its rotation."""
+        """Publishes the frame `hand` in `world`; w is the scalar part of its rotation."""
         hand = TransformStamped()
         hand.header.stamp = rospy.Time.now()
         hand.header.frame_id = 'world'
@@ -40,10 +39,10 @@ class Follow(unittest.TestCase):
         status = self.node.diagnostic('followed frames', lambda s: s.level == 1)
         self.assertIn('ball', status.message)
         self.assertIn('hand', status.message)
-        self.assertGreater(self.node.state().frame, 0)  # it runs all the same
+        self.assertGreater(self.node.state().frame, 0)  # it runs anyway
 
     def carry_hand(self, tf, x):
-        """Publishes the hand there until the ball is: 0.2 m above it, the scene 0.1 m along x."""
+        """Publishes the hand at x until the ball is 0.2 m above it; the scene is at x = 0.1 m."""
         def ball_there():
             self.put_hand(x)
             return [t for m in tf.messages[-20:] for t in m.transforms
@@ -71,20 +70,20 @@ class Follow(unittest.TestCase):
 
     def test_4_a_transform_that_tf_drops_is_a_warning(self):
         for x, w, why in ((math.nan, 1.0, 'its translation is not finite'),
-                          (0.1, 2.0, 'its rotation has the length 2'),
+                          (0.1, 2.0, 'the length of its rotation is 2'),
                           (0.1, math.nan, 'its rotation is not finite')):
             self.put_hand(x, w)
             status = self.node.diagnostic('followed frames', lambda s: why in s.message)
             self.assertEqual(status.level, 1)
             self.assertIn('tf frame hand cannot be used', status.message)
-            self.assertIn('says ' + rospy.get_name(), status.message)
+            self.assertIn('sent by ' + rospy.get_name(), status.message)
             self.put_hand(0.2)
             self.node.diagnostic('followed frames', lambda s: s.level == 0)
         self.assertEqual(self.node.state().non_finite, 0)
 
     def test_5_a_reset_that_fails_keeps_the_listener(self):
         self.assertFalse(self.node.reset(scene='none', preset='').success)
-        time.sleep(2.5)  # the node looks every 2 s whether anything follows
+        time.sleep(2.5)  # the node checks every 2 s
         subscribers = dict(rosgraph.Master('/follow_test').getSystemState()[1])
         self.assertIn('/sim', subscribers['/tf'])
         self.test_2_follows()

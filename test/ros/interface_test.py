@@ -1,13 +1,11 @@
 #!/usr/bin/python3
-"""Every topic's content and every service's good and bad path, on a paused scene."""
+"""The content of every topic, and every service with good and bad requests, on a paused scene."""
 import math
-import os
+import pathlib
 import struct
 import sys
 import time
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rospy
 from geometry_msgs.msg import Vector3
@@ -17,7 +15,8 @@ from sensor_msgs.msg import PointCloud2, PointField
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
-from harness import Latest, Node, wait_until
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Latest, Node, wait_until
 
 PARTICLES = 216  # 0.3 m cubed at 0.05 m
 
@@ -50,15 +49,16 @@ class Interface(unittest.TestCase):
         self.node.run_frames(2)
         cloud = self.cloud()
         self.assertEqual(cloud.header.frame_id, 'ice_ice_baby/scene')
-        self.assertEqual((cloud.width, cloud.height, cloud.point_step), (PARTICLES, 1, 48))
-        self.assertEqual(len(cloud.data), PARTICLES * 48)
+        self.assertEqual((cloud.width, cloud.height, cloud.point_step), (PARTICLES, 1, 52))
+        self.assertEqual(len(cloud.data), PARTICLES * 52)
         self.assertTrue(cloud.is_dense)
         names = ['x', 'y', 'z', 'vx', 'vy', 'vz', 'temperature', 'ice_fraction', 'density',
-                 'pressure', 'id', 'rgb']
+                 'pressure', 'id', 'phase', 'rgb']
         self.assertEqual([f.name for f in cloud.fields], names)
-        self.assertEqual([f.offset for f in cloud.fields], [4 * k for k in range(12)])
+        self.assertEqual([f.offset for f in cloud.fields], [4 * k for k in range(13)])
         self.assertEqual([f.datatype for f in cloud.fields],
-                         10 * [PointField.FLOAT32] + [PointField.UINT32, PointField.FLOAT32])
+                         10 * [PointField.FLOAT32] +
+                         [PointField.UINT32, PointField.UINT8, PointField.FLOAT32])
         points = list(point_cloud2.read_points(cloud, field_names=names))
         self.assertEqual(sorted(p[10] for p in points), list(range(PARTICLES)))
         for point in points:
@@ -67,7 +67,8 @@ class Interface(unittest.TestCase):
             self.assertTrue(0.0 < point[2] < 0.6)
             self.assertEqual(point[6:8], (20.0, 0.0))
             self.assertTrue(0.2 < point[8] < 1.5)
-            self.assertEqual(colour(point[11]), colour(points[0][11]))
+            self.assertEqual(point[11], 0)  # water
+            self.assertEqual(colour(point[12]), colour(points[0][12]))
         self.assertLess(min(p[5] for p in points), -0.1)  # it falls
 
     def test_state(self):
@@ -127,12 +128,12 @@ class Interface(unittest.TestCase):
         status = self.node.diagnostic('solver', lambda s: True)
         values = {v.key: v.value for v in status.values}
         self.assertEqual(values['particles'], str(PARTICLES))
-        self.assertIn('density error, mean', values)
-        self.assertEqual(values['not finite, repaired'], '0')
+        self.assertIn('density_error_mean', values)
+        self.assertEqual(values['non_finite'], '0')
         stages = [v.key for v in self.node.diagnostic('real time', lambda s: True).values]
         self.assertIn('lambda [ms per frame]', stages)
 
-    def test_nobody_subscribes_so_nothing_is_built(self):
+    def test_without_subscribers_nothing_is_built(self):
         wait_until(lambda: all(t.subscribers == 0 for t in self.node.state().topics),
                    'the end of other tests\' subscriptions')
         self.node.run_frames(1)
@@ -147,7 +148,7 @@ class Interface(unittest.TestCase):
         self.assertGreater(after['/sim/particles'], before['/sim/particles'])
         self.assertEqual(after['/sim/springs'], before['/sim/springs'])
 
-    def test_water_has_no_springs_to_build_messages_of(self):
+    def test_water_sends_no_spring_messages(self):
         with Latest('/sim/springs', MarkerArray) as arrays:
             first = arrays.wait()  # clears what an earlier run may have drawn
             self.assertEqual([m.action for m in first.markers], [Marker.DELETEALL])
@@ -168,9 +169,9 @@ class Interface(unittest.TestCase):
         self.assertLess(ice.rms_speed_m_s, 0.2 * fluid.rms_speed_m_s)
         with Latest('/sim/particles', PointCloud2) as clouds:
             cloud = clouds.wait()
-        points = list(point_cloud2.read_points(cloud, ['temperature', 'ice_fraction', 'rgb']))
-        self.assertEqual({p[:2] for p in points}, {(-5.0, 1.0)})
-        self.assertTrue(all(min(colour(p[2])) > 200 for p in points))  # nearly white
+        points = list(point_cloud2.read_points(cloud, ['temperature', 'ice_fraction', 'phase', 'rgb']))
+        self.assertEqual({p[:3] for p in points}, {(-5.0, 1.0, 1)})
+        self.assertTrue(all(min(colour(p[3])) > 200 for p in points))  # nearly white
         self.node.set_temperature(temperature=20.0, ramp_s=0.0)
         self.assertEqual(self.node.run_frames(2).springs, 0)
 

@@ -1,17 +1,16 @@
 #!/usr/bin/python3
-"""The nodelet loads, serves, and unloads; one that is refused leaves its manager alive."""
-import os
+"""The nodelet loads, serves and unloads; a refused parameter does not end its manager."""
+import pathlib
 import subprocess
 import sys
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rosgraph
 import rospy
 from sensor_msgs.msg import PointCloud2
 
-from harness import Latest, Node, wait_until
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Latest, Node, wait_until
 
 
 class InManager(unittest.TestCase):

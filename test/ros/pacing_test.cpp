@@ -1,4 +1,4 @@
-// Frames held to a clock: lost time dropped, ROS time that stands still, jumps or is not there yet.
+// Frames paced by a clock: lost time is dropped; ROS time may be missing, stand still or jump back.
 #include "pacing.h"
 
 #include <gtest/gtest.h>

@@ -33,7 +33,7 @@ bool mentions(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(Parameters, WithoutAnyTheStructsDefaultsHold) {
+TEST(Parameters, DefaultsHoldWithoutAny) {
   const NodeParameters read = readParameters(XmlRpcValue());
   const NodeParameters defaults;
   EXPECT_EQ(read.scene, defaults.scene);
@@ -104,7 +104,7 @@ TEST(Parameters, FramesMustBeUsableAndDiffer) {
   EXPECT_TRUE(mentions(refusal(with("scene_frame", "world")), "both world"));
 }
 
-TEST(Parameters, RubbishIsNamedInAFewWords) {
+TEST(Parameters, HugeBadValuesAreShortenedInMessages) {
   XmlRpcValue list, deep;
   for (int k = 0; k < 20000; ++k) list[k] = 0.5;
   for (int k = 0; k < 900; ++k) {
@@ -124,7 +124,7 @@ TEST(Parameters, RubbishIsNamedInAFewWords) {
   }
 }
 
-TEST(Parameters, OverridesThatAreNoSceneOfAPersonAreRefused) {
+TEST(Parameters, HugeOverridesAreRefused) {
   XmlRpcValue tree;
   for (int k = 0; k < 60000; ++k) tree["overrides"]["spheres"][k]["radius_m"] = 0.125;
   const std::string message = refusal(tree);
@@ -167,13 +167,13 @@ TEST(Parameters, PresetOfTheNodeIsAnOverride) {
   EXPECT_EQ(parseScene("{}", overridesFor(parameters, "paper")).preset, Preset::kPaper);
 }
 
-TEST(Parameters, ReadmeListsEachAsItIs) {
-  std::ifstream stream(IIB_README);
-  std::stringstream readme;
-  readme << stream.rdbuf();
+TEST(Parameters, DocumentListsEachAsItIs) {
+  std::ifstream stream(IIB_ROS_INTERFACE);
+  std::stringstream document;
+  document << stream.rdbuf();
   std::istringstream table(parameterTable());
   for (std::string row; std::getline(table, row);) {
-    EXPECT_TRUE(mentions(readme.str(), row)) << "README.md lacks the row\n" << row;
+    EXPECT_TRUE(mentions(document.str(), row)) << "doc/ros_interface.md lacks the row\n" << row;
   }
 }
 

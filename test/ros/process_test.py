@@ -1,18 +1,14 @@
 #!/usr/bin/python3
-"""The node as a process: refusals at the start, prompt ends, a master that goes and comes back."""
-import os
+"""The node as a process: refused parameters, prompt shutdown, loss and restart of the master."""
 import re
 import signal
 import subprocess
 import sys
 import time
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-
 from processes import SIMULATION_NODE, Processes
 
-
-# Holds its connections, so it reaches the node without a master.
+# Keeps its connections open, so it reaches the node without a master.
 CALLER = """
 import rospy
 from ice_ice_baby.srv import GetState, Reset

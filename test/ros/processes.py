@@ -1,30 +1,27 @@
 """Tests that start masters and nodes of their own, and end them as rudely as they like."""
 import os
+import pathlib
 import signal
-import socket
 import subprocess
+import sys
 import time
 import unittest
 
-import roslib.packages
 import yaml
 
-# As roslaunch finds it; rosrun overlooks a build below build/ and asks which, where there are two.
-SIMULATION_NODE = roslib.packages.find_node('ice_ice_baby', 'simulation_node')[0]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.common.processes import free_port
+from iib.ros import master
+from iib.ros.program import find_simulation_node
+
+SIMULATION_NODE = find_simulation_node()
 SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'scenes')
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
 
 
 class Processes(unittest.TestCase):
     def setUp(self):
         self.port = free_port()
-        self.env = dict(os.environ, ROS_MASTER_URI='http://127.0.0.1:%d' % self.port,
-                        ROS_IP='127.0.0.1', ICE_ICE_BABY_SCENES=SCENES)
+        self.env = dict(master.environment(self.port), ICE_ICE_BABY_SCENES=SCENES)
         self.children = []
 
     def tearDown(self):
@@ -42,14 +39,9 @@ class Processes(unittest.TestCase):
         return child
 
     def start_master(self):
-        master = self.start('rosmaster', '--core', '-p', str(self.port))
-        deadline = time.monotonic() + 20
-        while time.monotonic() < deadline:
-            with socket.socket() as probe:
-                if probe.connect_ex(('127.0.0.1', self.port)) == 0:
-                    return master
-            time.sleep(0.05)
-        self.fail('no master')
+        started = self.start(*master.command(self.port))
+        master.await_answer(self.port)
+        return started
 
     def start_node(self, *parameters):
         return self.start(SIMULATION_NODE, '__name:=sim', *('_' + p for p in parameters))

@@ -1,16 +1,15 @@
 #!/usr/bin/python3
-"""Every bad request to every service names what is wrong and what is allowed, and changes nothing."""
+"""Every bad request is refused with what is wrong and what is allowed, and changes nothing."""
 import math
-import os
+import pathlib
 import sys
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rospy
 from geometry_msgs.msg import Point, Vector3
 
-from harness import TYPES, Node
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import TYPES, Node
 
 NAN, INF = math.nan, math.inf
 LONG = 'x' * 100000
@@ -18,11 +17,11 @@ ODD = 'a\x00b\n"\\'
 
 
 def torch(**changes):
-    return dict(dict(shape='ball', centre=Point(0.0, 0.0, 0.2), size=Vector3(0.2, 0.2, 0.2),
+    return dict(dict(shape='sphere', centre=Point(0.0, 0.0, 0.2), size=Vector3(0.2, 0.2, 0.2),
                      power_w=500.0, duration_s=1.0), **changes)
 
 
-# Service, request, what the answer must say of it: the thing, and the range or the cure.
+# Service, request, what the answer must contain: the thing, and the range or the cure.
 ALWAYS = [
     ('set_temperature', dict(temperature=NAN), ['temperature', 'nan', '[-273.15, 1000]']),
     ('set_temperature', dict(temperature=-INF), ['temperature', '-inf', '[-273.15, 1000]']),
@@ -62,8 +61,8 @@ WITHOUT_HEAT = [
 WITH_HEAT = [
     ('set_temperature', dict(temperature=5.0, target='plat'), ['plat', 'container, plate']),
     ('set_temperature', dict(temperature=NAN, target='plate'), ['nan', '[-273.15, 1000]']),
-    ('heat_region', torch(shape='cone'), ['cone', 'box, ball']),
-    ('heat_region', torch(shape=LONG), ['xxx', 'box, ball']),
+    ('heat_region', torch(shape='cone'), ['cone', 'box, sphere']),
+    ('heat_region', torch(shape=LONG), ['xxx', 'box, sphere']),
     ('heat_region', torch(centre=Point(NAN, 0, 0)), ['centre x', 'nan', '[']),
     ('heat_region', torch(centre=Point(0, 1e9, 0)), ['centre y', '1e+09', '[']),
     ('heat_region', torch(size=Vector3(0.1, 0.1, -0.1)), ['size z', '-0.1', '[0, 200]']),
@@ -73,7 +72,7 @@ WITH_HEAT = [
     ('heat_region', torch(duration_s=INF), ['duration', 'inf', '[0, 1e+06]']),
 ]
 RUNNING = [('step', dict(frames=1), ['paused', 'call pause first'])]
-WITHOUT_FIELDS = {'get_state', 'pause', 'resume'}  # nothing in them can be refused
+WITHOUT_FIELDS = {'get_state', 'pause', 'resume'}  # their requests are empty
 
 
 class Refusals(unittest.TestCase):
@@ -82,8 +81,8 @@ class Refusals(unittest.TestCase):
         rospy.init_node('refusals_test')
         cls.node = Node()
 
-    def told(self):
-        """All that get_state tells of the scene, its hash among it."""
+    def scene_state(self):
+        """Everything in get_state about the scene, with its hash."""
         state = self.node.when(lambda s: s.state_hash, 'a hash, so a pause')
         state.header.stamp, state.topics = rospy.Time(0), []
         return str(state)
@@ -97,15 +96,15 @@ class Refusals(unittest.TestCase):
             self.assertIn(word, answer.message, named)
 
     def refuse_all(self, scene, table):
-        """Two runs of the same frames, one of them among refused requests: the same state."""
+        """The same frames without and with refused requests in between end in the same state."""
         hashes = []
         for bad in ([], table):
             self.node.start(scene)
             self.node.run_frames(3)
             for service, request, words in bad:
-                before = self.told()
+                before = self.scene_state()
                 self.refuse(service, request, words)
-                self.assertEqual(self.told(), before, service)
+                self.assertEqual(self.scene_state(), before, service)
             self.node.run_frames(5)
             hashes.append(self.node.hash())
         self.assertEqual(hashes[0], hashes[1])
@@ -126,7 +125,7 @@ class Refusals(unittest.TestCase):
         for service, request, words in RUNNING:
             self.refuse(service, request, words)
         self.node.pause()
-        self.node.diagnostic('solver', lambda s: s.level == 0)  # nothing failed later either
+        self.node.diagnostic('solver', lambda s: s.level == 0)  # nothing failed later
 
 
 if __name__ == '__main__':

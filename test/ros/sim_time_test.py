@@ -1,25 +1,24 @@
 #!/usr/bin/python3
-"""ROS time that does not come, that runs, that jumps back."""
-import os
+"""ROS time that is missing, runs, and jumps back."""
+import pathlib
 import sys
 import threading
 import time
 import unittest
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import rospy
 from geometry_msgs.msg import TransformStamped
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
-from harness import Latest, Node
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.ros.node import Latest, Node
 
 BALL = 'ice_ice_baby/scene/ball'
 
 
 class Ticker:
-    """Publishes /clock and the frame `hand`, 100 times a second of wall time, from `start_s` on."""
+    """Publishes /clock, from `start_s` on, and the frame `hand`, 100 times a second of wall time."""
 
     def __init__(self, start_s, hand_x):
         self.now_s = start_s
@@ -66,7 +65,7 @@ class SimTime(unittest.TestCase):
 
     def test_no_clock_runs_then_jumps_back(self):
         status = self.node.diagnostic('clock', lambda s: s.level == 1)
-        self.assertIn('/use_sim_time is true, but nobody publishes it', status.message)
+        self.assertIn('/use_sim_time is true, but no node publishes /clock', status.message)
         self.assertEqual(self.node.state().frame, 0)
         self.assertTrue(self.node.set_temperature(temperature=10.0).success)
         with Ticker(1000.0, 0.2) as ticker:

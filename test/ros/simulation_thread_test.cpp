@@ -1,4 +1,4 @@
-// Commands between frames: none is lost, none half applied, none waits for the solver.
+// Commands between frames: none is lost or applied in part, and none waits for the solver.
 #include "simulation_thread.h"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ TEST(SimulationThread, TargetsAndRegionsNeedHeat) {
   EXPECT_EQ(thread.snapshot().colliders, std::vector<std::string>{"ground"});
 }
 
-TEST(SimulationThread, TargetsAndRegionsAreCheckedBeforeTheyWait) {
+TEST(SimulationThread, TargetsAndRegionsAreCheckedBeforeTheyAreQueued) {
   SimulationThread thread(warmPuddle(), paused(), {});
   EXPECT_NO_THROW(thread.setTemperature(-5.0, 0.0, "ground"));
   EXPECT_NO_THROW(thread.heatRegion(torch()));
@@ -107,7 +107,7 @@ TEST(SimulationThread, TargetsAndRegionsAreCheckedBeforeTheyWait) {
   EXPECT_EQ(thread.snapshot().refused, 0u);
 }
 
-TEST(SimulationThread, CommandsMeetTheSceneOfTheResetBeforeThem) {
+TEST(SimulationThread, CommandsActOnTheSceneOfTheResetBeforeThem) {
   SimulationThread thread(puddle(), paused(), {});
   thread.reset(warmPuddle());
   EXPECT_NO_THROW(thread.setTemperature(-5.0, 0.0, "ground"));
@@ -118,7 +118,7 @@ TEST(SimulationThread, CommandsMeetTheSceneOfTheResetBeforeThem) {
   EXPECT_EQ(thread.snapshot().refused, 0u);
 }
 
-TEST(SimulationThread, CommandThatFitsNoMoreChangesNothingAndIsTold) {
+TEST(SimulationThread, CommandThatNoLongerFitsChangesNothingAndIsReported) {
   std::atomic<bool> held{true};
   RunHooks hooks;
   hooks.started = [&](const Simulation&) {
@@ -151,7 +151,7 @@ TEST(SimulationThread, ResetThatFailsKeepsTheOldSimulation) {
   EXPECT_EQ(thread.snapshot().report.particles, 64u);
 }
 
-TEST(SimulationThread, ResetBeginsAgainAndSaysSo) {
+TEST(SimulationThread, ResetStartsAgainAndCallsTheHook) {
   std::atomic<int> starts{0};
   RunHooks hooks;
   hooks.started = [&](const Simulation&) { ++starts; };
@@ -196,7 +196,7 @@ struct Gate {
   std::atomic<bool> held{true};
 };
 
-TEST(SimulationThread, CommandsDoNotPileUpWithoutEnd) {
+TEST(SimulationThread, CommandsInTheQueueAreLimited) {
   Gate gate;
   SimulationThread thread(puddle(), paused(), gate.hooks());
   for (int k = 0; k < 1000; ++k) thread.setTemperature(k % 50, 0.0);
@@ -205,7 +205,7 @@ TEST(SimulationThread, CommandsDoNotPileUpWithoutEnd) {
   EXPECT_TRUE(becomes(thread, [](const Snapshot& now) { return now.report.temperature_c == 49; }));
 }
 
-TEST(SimulationThread, PauseAndResumeFindRoomOnAFullQueue) {
+TEST(SimulationThread, PauseAndResumeFitIntoAFullQueue) {
   Gate gate;
   RunOptions running = paused();
   running.start_paused = false;
@@ -234,7 +234,7 @@ TEST(SimulationThread, ResetThatFailsKeepsWhereTheSceneCameFrom) {
   EXPECT_EQ(thread.comingScene()->source, "warm");
 }
 
-TEST(SimulationThread, TheStateHasAHashWhileItStands) {
+TEST(SimulationThread, PausedStateHasAHash) {
   SimulationThread thread(puddle(), paused(), {});
   const auto hashed = [](const Snapshot& now) { return now.state_hash != 0; };
   ASSERT_TRUE(becomes(thread, hashed));
@@ -250,7 +250,7 @@ TEST(SimulationThread, TheStateHasAHashWhileItStands) {
       thread, [](const Snapshot& now) { return now.report.frame > 0 && now.state_hash == 0; }));
 }
 
-TEST(SimulationThread, GoesOnWithALoadedSimulation) {
+TEST(SimulationThread, ContinuesALoadedSimulation) {
   std::atomic<int> starts{0};
   RunHooks hooks;
   hooks.started = [&](const Simulation&) { ++starts; };
@@ -270,7 +270,7 @@ TEST(SimulationThread, GoesOnWithALoadedSimulation) {
   }));
 }
 
-TEST(SimulationThread, InspectionSeesAWholeFrameAndChangesNothing) {
+TEST(SimulationThread, InspectSeesACompleteFrameAndChangesNothing) {
   SimulationThread thread(puddle(), paused(), {});
   thread.step(2);
   ASSERT_TRUE(reaches(thread, 2));

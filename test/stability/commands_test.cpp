@@ -1,36 +1,31 @@
-// What people do to a simulation while it runs, as absurdly as it can be done. Each test is a line
-// of doc/stability.md: its properties `number`, `title` and `expected` say which.
+// Extreme commands during a run. Each test is a row of doc/stability.md, named by its properties
+// `number`, `title` and `expected`. Commands that are refused: test/core/loading/refusals_test.cpp.
 #include <cmath>
-#include <limits>
 
 #include "../core/fixtures.h"
-#include "ice_ice_baby/errors.h"
 #include "watched_run.h"
 
 namespace ice_ice_baby {
 namespace {
 
-using test::Figures;
 using test::Random;
 using test::stabilityScene;
 using test::WatchedRun;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 class Commands : public test::SuiteCase {};
 
-/// Alternates at 30 Hz between the two temperatures for two seconds.
+/// Alternates at 30 Hz between the two temperatures for two seconds, from the middle of a splash.
 void alternate(WatchedRun& run, double cold_c, double warm_c) {
+  run.frames(25);
   for (int half = 0; half < 120; ++half) {
     run->setTemperature(half % 2 == 0 ? cold_c : warm_c, 0.0);
     run.frame();
-    EXPECT_LE(run->report().springs, 32 * run->report().particles);
+    EXPECT_LE(run->report().springs, 20 * run->report().particles);
   }
 }
 
 TEST_F(Commands, FreezeAndThawOfSpringsAt30Hz) {
-  line(8, "Springs frozen and thawed thirty times a second", "springs bounded, no energy gained");
+  line(8, "Springs frozen and thawed thirty times per second", "springs bounded, no energy gained");
   WatchedRun run(figures_, stabilityScene("splash"));
   alternate(run, -10, 20);
   EXPECT_LT(run.metric("energy_rise"), 1e-3);
@@ -38,7 +33,7 @@ TEST_F(Commands, FreezeAndThawOfSpringsAt30Hz) {
 }
 
 TEST_F(Commands, FreezeAndThawByHeatAt30Hz) {
-  line(8, "Water frozen and thawed by heat thirty times a second",
+  line(8, "Water frozen and thawed by heat thirty times per second",
        "springs bounded, no energy gained");
   WatchedRun run(figures_, stabilityScene("frost", {{"thermal.speedup", "1e6"}}));
   alternate(run, -200, 200);
@@ -61,7 +56,7 @@ TEST_F(Commands, GravityThatFlipsEveryFrame) {
 }
 
 TEST_F(Commands, AContainerThatJumps) {
-  line(16, "A closed tank jumps by up to 100 m within a frame, turning", "all carried along");
+  line(16, "A closed tank jumps by up to 100 m within a frame, turning", "the contents move along");
   for (const char* scene : {"splash", "iceberg", "hail"}) {
     WatchedRun run(figures_, stabilityScene(scene));
     const std::string name = run->scene().containers[0].name;
@@ -73,13 +68,13 @@ TEST_F(Commands, AContainerThatJumps) {
       run->moveCollider(name, poseOf(place, turn));
       run.frames(5);
     }
-    // The limit stands before viscosity, which in water that is too dense adds a little.
+    // Viscosity acts after the limit, and in water that is too dense it adds a little.
     EXPECT_LE(run.fastest_m_s(), 1.05 * run->scene().solver.max_speed_m_s);
   }
 }
 
 TEST_F(Commands, AContainerThatShakes) {
-  line(0, "A closed tank shaken by a tenth of a metre every frame", "all stay inside");
+  line(0, "A closed tank shaken by tenths of a metre every frame, turning", "all stay inside");
   for (const char* scene : {"splash", "iceberg", "hail"}) {
     WatchedRun run(figures_, stabilityScene(scene));
     const std::string name = run->scene().containers[0].name;
@@ -88,57 +83,20 @@ TEST_F(Commands, AContainerThatShakes) {
                         poseOf({k % 2 == 0 ? 0.1 : -0.1, 0, 0.05 * (k % 3)}, {0, 9.0 * k, 0}));
       run.frame();
     }
-  }
-}
-
-/// That the command is refused and the next frame is the same as if it had never been given.
-template <class Command>
-void expectNothingChanged(Figures& figures, const std::string& scene, Command&& command) {
-  WatchedRun asked(figures, stabilityScene(scene)), other(figures, stabilityScene(scene));
-  asked.frames(3);
-  other.frames(3);
-  EXPECT_THROW(command(*asked), InvalidInput);
-  asked.frames(3);
-  other.frames(3);
-  EXPECT_EQ(asked->stateHash(), other->stateHash());
-}
-
-TEST_F(Commands, AbsurdTemperaturesAreRefused) {
-  line(9, "±10⁶ degrees, NaN and infinity as commands", "refused, nothing changed");
-  for (const double celsius : {1e6, -1e6, kNan, kInfinity, -kInfinity}) {
-    expectNothingChanged(figures_, "frost", [&](Simulation& s) { s.setTemperature(celsius, 0); });
-    expectNothingChanged(figures_, "frost",
-                         [&](Simulation& s) { s.setTemperature(celsius, 0, "tank"); });
-  }
-  for (const double ramp_s : {-1.0, 1e7, kNan}) {
-    expectNothingChanged(figures_, "splash", [&](Simulation& s) { s.setTemperature(-5, ramp_s); });
-  }
-  for (const double power_w : {1e10, -1e10, kNan, kInfinity}) {
-    HeatedRegion region;
-    region.power_w = power_w;
-    region.duration_s = 1;
-    expectNothingChanged(figures_, "frost", [&](Simulation& s) { s.heatRegion(region); });
-  }
-}
-
-TEST_F(Commands, AbsurdPosesAndGravityAreRefused) {
-  line(25, "Poses and gravity that are no numbers, mirrors or too far", "refused, nothing changed");
-  Posed far, mirror, nowhere, bent;
-  far.position = Vec3d(1e5, 0, 0);
-  mirror.rotation = -Mat3<double>::Identity();
-  nowhere.position.z() = kNan;
-  bent.rotation(0, 0) = kInfinity;
-  for (const Posed& pose : {far, mirror, nowhere, bent}) {
-    expectNothingChanged(figures_, "splash", [&](Simulation& s) { s.moveCollider("tank", pose); });
-  }
-  for (const double g : {1e5, kNan, kInfinity}) {
-    expectNothingChanged(figures_, "splash", [&](Simulation& s) { s.setGravity({0, g, 0}); });
+    Random random(61);
+    for (int k = 0; k < 60; ++k) {
+      Posed pose;
+      pose.position = random.inBox(Vec3d::Constant(-0.2), Vec3d::Constant(0.2));
+      pose.rotation = Eigen::AngleAxisd(random.uniform(-0.5, 0.5), random.direction()).matrix();
+      run->moveCollider(name, pose);
+      run.frame();
+    }
   }
 }
 
 TEST_F(Commands, ATorchOfAGigawatt) {
-  line(0, "A hundred torches and sprays of a gigawatt",
-       "contained, within the range of temperatures");
+  line(0, "A hundred heated and cooled regions of a gigawatt",
+       "contained, temperatures within their range");
   WatchedRun run(figures_, stabilityScene("frost"));
   Random random(7);
   for (std::size_t k = 0; k < kMaxHeatedRegions; ++k) {
@@ -157,7 +115,7 @@ TEST_F(Commands, ATorchOfAGigawatt) {
 }
 
 TEST_F(Commands, EverythingAtOnce) {
-  line(0, "Any command at any frame, each as large as is allowed", "contained");
+  line(0, "Random commands at random frames, up to the limits of each", "contained");
   Random random(11);
   for (const char* scene : {"splash", "frost", "hail"}) {
     WatchedRun run(figures_, stabilityScene(scene));

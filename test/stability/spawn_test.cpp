@@ -1,5 +1,6 @@
-// Starts that a scene file may not have: refused by name there (scripts/stability), made in code
-// here, for water can be pressed together later too. Each test is a line of doc/stability.md.
+// Starts that a scene file may not have. scripts/stability checks that files with them are refused;
+// here they are made in code, as water may be crowded later too. Each test is a row of
+// doc/stability.md.
 #include <set>
 
 #include "../core/fixtures.h"
@@ -15,7 +16,7 @@ using test::stabilityScene;
 using test::unchecked;
 using test::WatchedRun;
 
-constexpr double kSpacing_m = 0.05;  // of the scene
+constexpr double kSpacing_m = 0.05;  ///< of the scene
 
 class Spawns : public test::SuiteCase {};
 
@@ -32,15 +33,16 @@ Scene splashOf(const std::vector<Block>& blocks) {
 }
 
 double nearest_m(const WatchedRun& run, const Vec3d& centre) {
-  double least = std::numeric_limits<double>::max();
+  double min_m = std::numeric_limits<double>::max();
   for (const ParticleSample& p : run.particles()) {
-    least = std::min(least, (Vec3d(p.x, p.y, p.z) - centre).norm());
+    min_m = std::min(min_m, (Vec3d(p.x, p.y, p.z) - centre).norm());
   }
-  return least;
+  return min_m;
 }
 
 TEST_F(Spawns, AllCoincidentOnAnyThreads) {
-  line(3, "The same, made in code", "they part the same way in every run, and find their density");
+  line(3, "The same, made in code",
+       "they separate in the same way in every run and reach their density");
   const Scene scene = splashOf(std::vector<Block>(1000, pointAt({0, 0, 0.3})));
   std::set<std::uint64_t> hashes;
   for (const int threads : {1, 2}) {
@@ -57,7 +59,7 @@ TEST_F(Spawns, NearlyCoincidentPairInCode) {
   Scene scene = splashOf({pointAt({0, 0, 0.3}), pointAt({1e-12, 0, 0.3})});
   scene.gravity_m_s2.setZero();
   scene.solver.max_speed_m_s = 1e5;
-  // Two iterations of a tenth of the radius each, and the parting itself, at 360 substeps a second.
+  // Two corrections of a tenth of the support radius and the separation itself, 360 times a second.
   const double bound_m_s = (2 * 0.1 * 2 + 0.02) * kSpacing_m * 360;
   WatchedRun single(figures_, unchecked(scene, 1));
   WatchedRun twice(figures_, std::make_unique<Simulator<double>>(scene, 1));
@@ -68,17 +70,14 @@ TEST_F(Spawns, NearlyCoincidentPairInCode) {
 }
 
 TEST_F(Spawns, CentreOfASphereInCode) {
-  line(5, "The same, made in code", "out by a fixed normal, and not back");
+  line(5, "The same, made in code", "pushed out along a fixed normal, not pulled back");
   const auto deepest_d = [&](std::unique_ptr<Simulation> simulation, const Vec3d& centre) {
     WatchedRun run(figures_, std::move(simulation));
     run.frames(60);
     return (0.1 + kSpacing_m / 2 - nearest_m(run, centre)) / kSpacing_m;
   };
   Scene scene = stabilityScene("splash");
-  scene.spheres.emplace_back();
-  scene.spheres[0].name = "ball";
-  scene.spheres[0].radius_m = 0.1;
-  scene.spheres[0].position_m = {-0.3, 0, 0.4};
+  scene.spheres = {test::ball({-0.3, 0, 0.4}, 0.1)};
   EXPECT_LT(deepest_d(unchecked(scene, 1), scene.spheres[0].position_m), 1e-3);
   scene.spheres[0].position_m = {0, 0, 0.3};
   scene.blocks = {pointAt({0, 0, 0.3})};
@@ -87,7 +86,7 @@ TEST_F(Spawns, CentreOfASphereInCode) {
 }
 
 TEST_F(Spawns, TooFullInCode) {
-  line(6, "The same, made in code with an eighth of the million", "told, none out");
+  line(6, "The same, made in code with an eighth of the million", "reported, none outside");
   Scene full = splashOf(std::vector<Block>(8, blockOf({-0.25, -0.25, 0}, {0.25, 0.25, 0.5})));
   full.containers[0].size_m = Vec3d::Constant(0.5);
   {
@@ -122,8 +121,8 @@ TEST_F(Spawns, TenThousandInACellInCode) {
 TEST_F(Spawns, OverlappingSpawnInCode) {
   line(23, "The same, made in code", "it relaxes");
   const Block block = blockOf({-0.5, -0.25, 0.1}, {-0.1, 0.25, 0.7});
-  const Block aside = blockOf({-0.475, -0.25, 0.1}, {-0.075, 0.225, 0.7});
-  for (const Block& other : {block, aside}) {
+  const Block shifted = blockOf({-0.475, -0.25, 0.1}, {-0.075, 0.225, 0.7});
+  for (const Block& other : {block, shifted}) {
     WatchedRun run(figures_, unchecked(splashOf({block, other}), 1));
     run.frames(90);
     EXPECT_LT(run.densityError(), 0.02);
@@ -131,13 +130,11 @@ TEST_F(Spawns, OverlappingSpawnInCode) {
 }
 
 TEST_F(Spawns, GapsInCode) {
-  line(17, "The same, made in code: a ball lowered onto the floor, two particles where one fits",
+  line(17,
+       "The same, made in code: a sphere lowered onto the floor, two particles in space for one",
        "contained");
   Scene scene = stabilityScene("splash");
-  scene.spheres.emplace_back();
-  scene.spheres[0].name = "ball";
-  scene.spheres[0].radius_m = 0.15;
-  scene.spheres[0].position_m = {-0.3, 0, 0.17};
+  scene.spheres = {test::ball({-0.3, 0, 0.17}, 0.15)};
   {
     WatchedRun run(figures_, unchecked(scene, 1));
     run.frames(60);

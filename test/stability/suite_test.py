@@ -9,24 +9,23 @@ import types
 import unittest
 import unittest.mock
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.dont_write_bytecode = True
-sys.path.insert(0, str(ROOT / "scripts"))
-from stability_suite import cases, document, energy, long_runs, maps, pictures, results, verdict  # noqa: E402
-from stability_suite import cases_ice, cases_water  # noqa: E402, F401  (they fill cases.CASES)
-from stability_suite.map_list import MAPS, step_sets  # noqa: E402
-from stability_suite.ranges import parse  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.common.paths import ROOT
+from iib.stability import cases, document, energy, long_runs, maps, pictures, results, verdict
+from iib.stability import cases_ice, cases_water  # noqa: F401  (they fill cases.CASES)
+from iib.stability.map_list import MAPS, step_sets
+from iib.stability.ranges import parse
 
 RUN_SCENE = sys.argv.pop()
 
 
-def outcome(status="ran", **report):
+def outcome(status="ok", **report):
     told = {"particles": 100, "steps": 10, "non_finite": 0, "escaped": 0, "speed_limited": 0, "correction_limited": 0,
             "density_error_mean": 0.001, "error": {}, **report}
     finite, inside = told["non_finite"] == 0, told["escaped"] == 0
-    lived = status in ("ran", "unstable") and finite and inside
+    lived = status in ("ok", "unstable") and finite and inside
     return types.SimpleNamespace(status=status, message="", report=told, survived=lambda: lived,
-                                 face=lambda name: told["error"].get(name, float("nan")))
+                                 metric=lambda name: told["error"].get(name, float("nan")))
 
 
 class Verdict(unittest.TestCase):
@@ -46,7 +45,7 @@ class Verdict(unittest.TestCase):
 
     def test_what_steam_lifts_is_not_judged(self):
         lifted = {"error": {"energy_rise": 2.0}}
-        self.assertEqual(verdict.verdict(outcome(most_steam=5, **lifted)), "stable")
+        self.assertEqual(verdict.verdict(outcome(max_steam=5, **lifted)), "stable")
 
     def test_a_limit_that_run_scene_calls_unstable_is_degraded(self):
         self.assertEqual(verdict.verdict(outcome("unstable", speed_limited=900)), "degraded")

@@ -1,4 +1,4 @@
-// A simulation under recorder: what every frame has to hold, and the figures for scripts/stability.
+// A simulation that is checked after every frame, with the figures for scripts/stability.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ struct Figures {
     simulated_s += report.time_s;
     wall_s += record.wall_time_s;
   }
-  /// As properties of the test that runs, which --gtest_output=json tells.
+  /// Records them as properties of the running test, which --gtest_output=json writes.
   void report() const {
     const auto put = [](const char* name, double value) {
       testing::Test::RecordProperty(name, std::to_string(value));
@@ -59,7 +59,7 @@ struct Figures {
   }
 };
 
-/// A test that is a row of doc/stability.md: `line` says which, the figures are told at its end.
+/// A test that is a row of doc/stability.md: `line` names the row, TearDown reports its figures.
 class SuiteCase : public testing::Test {
  protected:
   static void line(int number, const char* title, const char* expected) {
@@ -72,10 +72,10 @@ class SuiteCase : public testing::Test {
   Figures figures_;
 };
 
-/// Every frame it takes stays finite, keeps its particles, and keeps them inside what is closed.
+/// Expects of every frame that it is finite and loses no particle, not even out of a closed tank.
 class WatchedRun {
  public:
-  /// @param figures gets those of the run at its end
+  /// @param figures takes those of this run when it ends
   WatchedRun(Figures& figures, std::unique_ptr<Simulation> simulation)
       : figures_(figures),
         simulation_(std::move(simulation)),
@@ -83,7 +83,7 @@ class WatchedRun {
         escapes_(simulation_->scene()) {
     simulation_->sample(particles_);
     started_with_ = particles_.size();
-    watches_ = metricsFor(view());
+    recorders_ = metricsFor(view());
   }
   WatchedRun(Figures& figures, const Scene& scene)
       : WatchedRun(figures, makeSimulation(scene, Precision::kFloat, 1)) {}
@@ -106,7 +106,7 @@ class WatchedRun {
     record_.addFrame(report);
     simulation_->sample(particles_);
     const FrameView frame = view();
-    for (const auto& recorder : watches_) recorder->add(frame);
+    for (const auto& recorder : recorders_) recorder->add(frame);
     record_.addSample(report, frame.error);
     record_.escaped = std::max(record_.escaped, escapes_.count(*simulation_, particles_));
     EXPECT_EQ(report.non_finite, 0u) << "frame " << report.frame;
@@ -114,10 +114,10 @@ class WatchedRun {
     EXPECT_EQ(record_.escaped, 0u) << "frame " << report.frame;
     EXPECT_TRUE(std::isfinite(report.kinetic_energy_j)) << "frame " << report.frame;
   }
-  /// A metric of the error, by the name that run_scene --report has for it; 0 if it has none.
+  /// Value of a metric of the error, by its name in run_scene --report; 0 if there is none.
   double metric(const std::string& name) const {
     std::vector<ErrorMetric> metrics;
-    for (const auto& recorder : watches_) recorder->report(metrics);
+    for (const auto& recorder : recorders_) recorder->report(metrics);
     for (const ErrorMetric& metric : metrics) {
       if (metric.name == name) return metric.value;
     }
@@ -135,7 +135,7 @@ class WatchedRun {
   EscapeMeter escapes_;
   std::vector<ParticleSample> particles_;
   std::size_t started_with_ = 0;
-  std::vector<std::unique_ptr<MetricRecorder>> watches_;
+  std::vector<std::unique_ptr<MetricRecorder>> recorders_;
   RunRecord record_;
 };
 

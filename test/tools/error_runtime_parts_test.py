@@ -4,12 +4,10 @@ import sys
 import unittest
 import unittest.mock
 
-sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "scripts"))
-
-from error_runtime import (  # noqa: E402
-    choices, grid, labels, machine, pareto, points, progress, runner, trajectory)
-from error_runtime.refusal import Refusal  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.common import machine, progress
+from iib.common.refusal import Refusal
+from iib.error_runtime import choices, grid, labels, pareto, points, runner, trajectory
 
 
 class Machine(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""The program error_vs_runtime: tables, pictures, resuming, refusals; a stub in place of run_scene."""
+"""error_vs_runtime: tables, pictures, resuming, refusals; a stub in place of run_scene."""
 import csv
 import json
 import pathlib
@@ -10,13 +10,12 @@ import textwrap
 import time
 import unittest
 
-RUN_SCENE = sys.argv.pop(1)
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-PROGRAM = ROOT / "scripts" / "error_vs_runtime"
-sys.dont_write_bytecode = True
-sys.path.insert(0, str(PROGRAM.parent))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.common.paths import ROOT
+from iib.error_runtime import peers, studies
 
-from error_runtime import peers, studies  # noqa: E402
+RUN_SCENE = sys.argv.pop(1)
+PROGRAM = ROOT / "scripts" / "error_vs_runtime"
 
 # Answers as run_scene does, at once; error halves and time doubles with every doubling of substeps.
 STUB = """#!/usr/bin/python3
@@ -27,22 +26,27 @@ substeps = int(keys.get("solver.substeps", 8))
 if words[0] == "none": sys.exit(print("run_scene: no scene none", file=sys.stderr) or 1)
 if "solver.nonsense" in keys:
     sys.exit(print("run_scene: no key solver.nonsense", file=sys.stderr) or 1)
-if substeps == 0: sys.exit(print("run_scene: substeps = 0 is outside [1, 1000]", file=sys.stderr) or 1)
+if substeps == 0:
+    sys.exit(print("run_scene: substeps = 0 is outside [1, 1000]", file=sys.stderr) or 1)
 if "--duration" in words and words[words.index("--duration") + 1] == "0": sys.exit(0)
 log = pathlib.Path(__file__).with_name("log")
 with log.open("a") as file: file.write(f"{substeps}\\n")
 time.sleep(float(keys.get("sleep", 0)))
 unstable = substeps == 1
-report = dict(particles=1000, springs=0, simulated_time_s=1.0, wall_time_s=0.01 * substeps, frames=60,
-              max_speed_m_s=1.0, rms_speed_m_s=0.5, residual_speed_m_s=0.5, state_hash="0" * 16,
+report = dict(particles=1000, springs=0, simulated_time_s=1.0, frames=60,
+              wall_time_s=0.01 * substeps, state_hash="0" * 16,
+              max_speed_m_s=1.0, rms_speed_m_s=0.5, residual_speed_m_s=0.5,
               threads=2, precision="float", preset="default",
-              error=dict(density_mean=0.08 / substeps, density_max=0.8 / substeps, energy_rise=0.001),
+              error=dict(density_mean=0.08 / substeps, density_max=0.8 / substeps,
+                         energy_rise=0.001),
               settings=dict(fluid=dict(spacing_m=0.1),
                             solver=dict(substeps=substeps, frame_rate_hz=60.0)))
 pathlib.Path(words[words.index("--report") + 1]).write_text(json.dumps(report))
 if unstable: sys.exit(print("run_scene: became unstable: it flew apart", file=sys.stderr) or 2)
 """
-PEERS = """peer,method,setting,particles,threads,precision,us_per_particle_per_s,mean_error_percent,max_error_percent
+PEERS = """\
+peer,method,setting,particles,threads,precision,us_per_particle_per_s,mean_error_percent,\
+max_error_percent
 Other,DFSPH,tol 1 %,5415,2,float,609,0.198,5.0
 Other,DFSPH,tol .1 %,5415,2,float,563,0.097,
 """
@@ -96,7 +100,7 @@ class Program(unittest.TestCase):
         for key in ("processor", "commit", "date", "command", "campaign", "points"):
             self.assertTrue(document[key], key)
         self.assertIn("--substeps 2,4", document["command"])
-        for name in ("error.png", "faces.png"):
+        for name in ("error.png", "metrics.png"):
             self.assertEqual((self.out / name).read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual(self.log(), ["2", "4", "2", "4"], "rounds, one run at a time")
 
@@ -233,7 +237,7 @@ class Program(unittest.TestCase):
         self.assertIn("| 1 | 4 substeps | 40 | 25,000 |", text)
         self.assertIn("| Other DFSPH tol 1 % | 609 |", text)
         self.assertIn("c0ffee", text)
-        for name in ("dam_break_error", "dam_break_faces", "column_error", "splash_error", "ice_error"):
+        for name in ("dam_break_error", "dam_break_metrics", "column_error", "splash_error", "ice_error"):
             self.assertIn(f"images/error_vs_runtime_{name}.png", text)
             picture = self.folder / "doc" / "images" / f"error_vs_runtime_{name}.png"
             self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")

@@ -1,4 +1,4 @@
-"""Contract of run_scene --save, --autosave and --load: no plug that is pulled loses a run."""
+"""Contract of run_scene --save, --autosave and --load: a run survives a kill at any time."""
 import json
 import signal
 import subprocess
@@ -48,7 +48,7 @@ class Checkpoints(RunSceneCase):
                 for key in ("state_hash", "simulated_time_s", "frames", "kinetic_energy_j",
                             "springs", "precision", "temperature_c"):
                     self.assertEqual(rest[key], whole[key], key)
-                self.assertEqual(rest["error"], {}, "faces are those of whole runs")
+                self.assertEqual(rest["error"], {}, "metrics are those of whole runs")
 
     def test_without_a_duration_it_ends_where_the_scene_does_and_then_has_nothing_to_do(self):
         self.report(self.scene, "--duration", 3.5, "--save", self.checkpoint)

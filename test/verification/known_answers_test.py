@@ -6,7 +6,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import known_answers as known  # noqa: E402
+from iib.known import answers as known
 
 
 class KnownAnswers(unittest.TestCase):

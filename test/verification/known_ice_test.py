@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import known_ice  # noqa: E402
+from iib.known import ice as known_ice
 
 
 class KnownIce(unittest.TestCase):
@@ -26,7 +26,7 @@ class KnownIce(unittest.TestCase):
         self.assertAlmostEqual(ice.time(ice.front(600.0)), 600.0, 6)
 
     def test_lifted_water_satisfies_the_balance_at_the_front(self):
-        """The similarity solution put into its own equations, by differences, for ice of another density."""
+        """The similarity solution in its own equations, by differences, at another density."""
         ice = known_ice.alike(1.0, 5.0, 917.0)
         ratio, time = 0.917, 1000.0
         front, alpha = float(ice.front(time)), 2.0 / (1000.0 * 2000.0)

@@ -45,17 +45,43 @@ TEST(ParticleColourTest, AtTwentyDegreesHeatChangesNoColour) {
   ParticleSample sample = waterAt(20.0f);
   EXPECT_EQ(heatColour(sample), particleColour(0.0f));
   sample.ice_fraction = 1.0f;
+  sample.phase = Phase::kIce;
   EXPECT_EQ(heatColour(sample), particleColour(1.0f));
 }
 
-TEST(ParticleColourTest, SteamIsGreyHoweverHot) {
+TEST(ParticleColourTest, SlushThatFlowsIsWaterWithIceInIt) {
+  ParticleSample slush = waterAt(0.0f), melting = waterAt(0.0f), ice = waterAt(0.0f);
+  slush.ice_fraction = melting.ice_fraction = 0.6f;
+  ice.ice_fraction = 1.0f;
+  melting.phase = ice.phase = Phase::kIce;
+  EXPECT_FLOAT_EQ(whiteness(slush), 0.3f);
+  EXPECT_FLOAT_EQ(whiteness(melting), 0.8f);
+  EXPECT_LT(red(heatColour(waterAt(0.0f))), red(heatColour(slush)));
+  EXPECT_LT(red(heatColour(slush)), red(heatColour(melting)));
+  EXPECT_LT(red(heatColour(melting)), red(heatColour(ice)));
+}
+
+TEST(ParticleColourTest, TheColourTellsWaterFromIceWhateverIsFrozenOfThem) {
+  for (float fraction = 0.0f; fraction <= 1.0f; fraction += 0.125f) {
+    ParticleSample sample = waterAt(0.0f);
+    sample.ice_fraction = fraction;
+    EXPECT_LE(whiteness(sample), 0.5f);
+    sample.phase = Phase::kIce;
+    EXPECT_GE(whiteness(sample), 0.5f);
+  }
+}
+
+TEST(ParticleColourTest, SteamIsGreyHoweverHotAndDense) {
   ParticleSample sample = waterAt(100.0f);
-  sample.density = static_cast<float>(kSteamDensity);
+  sample.phase = Phase::kSteam;
   const std::uint32_t steam = heatColour(sample);
   EXPECT_EQ(red(steam), std::lround(255 * kSteamColour.red));
   EXPECT_EQ(blue(steam), std::lround(255 * kSteamColour.blue));
   sample.temperature_c = 300.0f;
   EXPECT_EQ(heatColour(sample), steam);
+  ParticleSample thin = waterAt(20.0f);
+  thin.density = 0.0f;
+  EXPECT_EQ(heatColour(thin), heatColour(waterAt(20.0f))) << "a lone drop is no steam";
 }
 
 }  // namespace

@@ -1,12 +1,13 @@
-// Plain values as bytes, and back: what checkpoints are made of.
+// Reads and writes plain values as bytes, for checkpoints.
 //
 // A class with state lists its members once, and the same list writes and reads them:
 //   template <class Self, class Archive>
 //   static void exchange(Self& self, Archive& archive) {
 //     archive(self.a_, self.b_);
 //   }
-// Listed can be numbers, enums, texts, Eigen's matrices and quaternions, such classes, and vectors
-// of all of them. What other members follow from, and scratch, is not listed.
+// A list may hold numbers, enums, strings, Eigen matrices and quaternions, classes with an
+// `exchange` of their own, and vectors of these. Scratch memory and members that can be recomputed
+// are not listed.
 #pragma once
 
 #include <cmath>
@@ -23,7 +24,7 @@
 
 namespace ice_ice_baby {
 
-/// Values whose bytes are all there is to know of them.
+/// Types that are copied byte by byte.
 template <class T>
 constexpr bool kPlain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
@@ -42,21 +43,21 @@ class StateWriter {
     (write(values), ...);
   }
 
-  /// A vector of anything: write_item(item) writes one of them.
+  /// Writes a vector of any type; write_item(item) writes one element.
   template <class Item, class WriteItem>
   void list(const std::vector<Item>& items, const WriteItem& write_item) {
     write(std::uint64_t(items.size()));
     for (const Item& item : items) write_item(item);
   }
 
-  /// What may be there or not, as a std::optional. `made_of` is what the reader makes it of.
+  /// Writes a value of a std::optional or the like. `made_of` are the constructor arguments that the reader uses.
   template <class Optional, class Made>
   void optional(const Optional& value, const Made&) {
     write(value.has_value());
     if (value) write(*value);
   }
 
-  /// Leaves room for what is filled in later.
+  /// Reserves bytes that are filled in later.
   void skip(std::size_t bytes) { bytes_.resize(bytes_.size() + bytes); }
 
   const std::string& bytes() const { return bytes_; }
@@ -102,8 +103,8 @@ class StateWriter {
   bool finite_ = true;
 };
 
-/// Safe on bytes from anywhere: asks for no more memory than there are bytes to fill it.
-/// Throws InvalidInput where the bytes end early or hold no such value.
+/// Safe on untrusted bytes: never allocates more memory than there are bytes to fill it.
+/// Throws InvalidInput if the bytes end early or hold an invalid value.
 class StateReader {
  public:
   explicit StateReader(std::string_view bytes) : bytes_(bytes) {}
@@ -116,11 +117,11 @@ class StateReader {
   template <class Item, class ReadItem>
   void list(std::vector<Item>& items, const ReadItem& read_item) {
     items.clear();
-    // Each item takes bytes, so a length that is too great ends with them.
+    // Every element takes at least one byte, so too great a length runs out of bytes.
     for (std::size_t count = readLength(1); count > 0; --count) read_item(items.emplace_back());
   }
 
-  /// @param made_of what a value is made of before it is read
+  /// @param made_of constructor arguments of the value before it is read
   template <class Optional, class Made>
   void optional(Optional& value, const Made& made_of) {
     bool there = false;

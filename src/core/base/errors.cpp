@@ -1,9 +1,10 @@
 #include "ice_ice_baby/errors.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
+
+#include "base/shortest_text.h"
 
 namespace ice_ice_baby {
 
@@ -14,10 +15,8 @@ bool isControl(unsigned char byte) { return byte < 0x20 || byte == 0x7f; }
 }  // namespace
 
 std::string numberText(double value) {
-  if (std::isnan(value)) return "nan";  // whatever its sign
-  char text[32];
-  const auto result = std::to_chars(text, text + sizeof text, value + 0.0);  // no "-0"
-  return std::string(text, result.ptr);
+  if (std::isnan(value)) return "nan";  // without a sign
+  return shortestText(value + 0.0);     // no "-0"
 }
 
 std::string shortened(const std::string& text) {
@@ -66,7 +65,7 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearest(const std::string& word, const std::vector<std::string>& known) {
-  constexpr std::size_t kLongestWord = 100;  // the search is as long as the word
+  constexpr std::size_t kLongestWord = 100;  // bounds the time of the search
   if (word.size() > kLongestWord) return "";
   std::string best;
   std::size_t best_distance = word.size() / 2 + 1;

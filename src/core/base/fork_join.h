@@ -1,4 +1,4 @@
-// The order that a parallel loop promises, told to ThreadSanitizer.
+// Tells ThreadSanitizer about the ordering of a parallel loop.
 #pragma once
 
 #if defined(__has_feature)
@@ -10,10 +10,10 @@
 
 namespace ice_ice_baby {
 
-/// Every range runs after the fork and before the join. oneTBB's library sees to it by means that
-/// ThreadSanitizer cannot follow, as Debian's is not compiled for it; without this every loop
-/// would be a race. Ranges stay unordered among themselves, so that their races are still found.
-/// Empty in every other build.
+/// Every range runs after the fork and before the join. Debian's oneTBB is not compiled for
+/// ThreadSanitizer, so without these annotations every loop would be reported as a race. Ranges
+/// stay unordered among themselves, so races between them are still found. Empty in every other
+/// build.
 class ForkJoin {
  public:
 #ifdef IIB_THREAD_SANITIZER

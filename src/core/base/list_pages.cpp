@@ -20,7 +20,7 @@ void ListPages::Round::count(std::size_t written, std::size_t widest) {
 }
 
 void ListPages::Round::reserve(std::size_t writers) {
-  if (widest_ > kPageSize / 2) return;  // such lists have pages of their own
+  if (widest_ > kPageSize / 2) return;  // such long lists have pages of their own
   const std::size_t full = kPageSize - widest_;
   const std::size_t needed = (written_ + full - 1) / full + writers - 1;
   if (pages_.size() >= needed) return;
@@ -30,7 +30,7 @@ void ListPages::Round::reserve(std::size_t writers) {
   for (std::size_t k = before; k < pages_.size(); ++k) lists_.fit(pages_[k], kPageSize);
 }
 
-/// Uninitialized: a page that no list reaches costs nothing.
+/// Left uninitialized, so that unused memory of a page is never touched.
 void ListPages::fit(Page& page, std::size_t size) {
   const std::size_t values = values_ - page.size + size;
   if (double(values) * sizeof(Index) > most_bytes_) throw std::bad_alloc();

@@ -1,4 +1,4 @@
-// Memory for lists that several threads write at once: pages, kept from build to build.
+// Paged memory for lists that several threads write at once; pages are reused by the next build.
 #pragma once
 
 #include <algorithm>
@@ -11,22 +11,22 @@
 
 namespace ice_ice_baby {
 
-/// Lists of any length, each in one piece. All of them share the pages, so that water which only
-/// moves from place to place needs no more of them than before.
+/// Lists of any length, each contiguous. All lists share the pages, so moving water needs no
+/// further allocations.
 class ListPages {
  public:
   class Round;
   class Writer;
 
-  /// Lists start at multiples of so many values.
+  /// Alignment of the start of a list, in values.
   static constexpr std::size_t kAlign = 4;
 
-  /// The list at a place that a Writer gave.
+  /// The list at a place that Writer::finish returned.
   const Index* at(Index place) const {
     return pages_[place / kPlaces].values.get() + place % kPlaces * kAlign;
   }
 
-  /// Pages beyond so many bytes are std::bad_alloc, as if the machine had no more.
+  /// Allocating more than this many bytes throws std::bad_alloc.
   void limit(double most_bytes) { most_bytes_ = most_bytes; }
 
   std::size_t bytes() const;
@@ -37,22 +37,22 @@ class ListPages {
 
   struct Page {
     std::unique_ptr<Index[]> values;
-    std::size_t size = 0;  ///< kPageSize, more for a list that does not fit
+    std::size_t size = 0;  ///< kPageSize, or larger for a list that does not fit
   };
   void fit(Page& page, std::size_t size);
 
   std::vector<Page> pages_;
   double most_bytes_ = std::numeric_limits<double>::infinity();
-  std::size_t values_ = 0;  ///< of all pages
+  std::size_t values_ = 0;  ///< total size of all pages
 };
 
-/// One build, which writes every list anew.
+/// One build, which rewrites every list.
 class ListPages::Round {
  public:
   explicit Round(ListPages& lists) : lists_(lists), pages_(lists.pages_) {}
 
-  /// Once the Writers are gone: keeps as many pages as the same lists may need however they fall to
-  /// so many of them, and a few more, so that steady states do not allocate.
+  /// Call when the Writers are gone. Keeps as many pages as the same lists may need in any
+  /// distribution over the writers, and a few more, so that a steady state does not allocate.
   void reserve(std::size_t writers);
 
  private:
@@ -62,7 +62,7 @@ class ListPages::Round {
     Index* values;
     std::size_t size;
   };
-  /// The next page, with room for so many values. Safe from several threads.
+  /// The next page, with room for this many values. Thread safe.
   Taken take(std::size_t room);
   void count(std::size_t written, std::size_t widest);
 
@@ -70,18 +70,18 @@ class ListPages::Round {
   ListPages& lists_;
   std::vector<Page>& pages_;
   std::size_t taken_ = 0;
-  std::size_t written_ = 0;  ///< values of all lists
-  std::size_t widest_ = 0;   ///< most that a list asked room for
+  std::size_t written_ = 0;  ///< total size of all lists
+  std::size_t widest_ = 0;   ///< largest room that a list asked for
 };
 
-/// One thread's share in a build: writes list after list.
+/// One thread's part of a build: writes list after list.
 class ListPages::Writer {
  public:
   explicit Writer(Round& round) : round_(round) {}
   ~Writer() { round_.count(written_, widest_); }
 
-  /// Where the next list goes: at least `room` values. Behind kPageSize of a longer page nothing
-  /// starts, as no place tells of that. @throws std::bad_alloc beyond the limit
+  /// Memory for the next list: at least `room` values. No list starts beyond kPageSize of a longer
+  /// page, because a place cannot address it. @throws std::bad_alloc beyond the limit
   Index* start(std::size_t room) {
     widest_ = std::max(widest_, room);
     if (page_.size - used_ < room || used_ >= kPageSize) {
@@ -103,7 +103,7 @@ class ListPages::Writer {
  private:
   Round& round_;
   Round::Taken page_{0, nullptr, 0};
-  std::size_t used_ = 0;  ///< of the page
+  std::size_t used_ = 0;  ///< values used in the page
   std::size_t written_ = 0;
   std::size_t widest_ = 0;
 };

@@ -1,6 +1,6 @@
-// Loads rows of four of several particles, as one vector per column.
+// Loads the rows of four values of several particles as one vector per column.
 //
-// Included once per instruction set, hence the guard that Highway flips.
+// Included once per instruction set, hence the guard that Highway toggles.
 #if defined(IIB_PACKED_LOAD_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef IIB_PACKED_LOAD_INL_H
 #undef IIB_PACKED_LOAD_INL_H
@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// No wider than 16 lanes, to which neighbour lists are padded.
+/// At most 16 lanes, the padding of neighbour lists.
 template <class Real>
 using Lanes = hn::CappedTag<Real, 16>;
 
@@ -38,7 +38,7 @@ HWY_INLINE Columns<D> loadRows(D d, const Real* rows, const Index* j) {
 
 #else
 
-/// The vector whose block of 16 bytes k lies at column + 4 * j[k * lanes in a block].
+/// Gathers 16-byte blocks: block k comes from column + 4 * j[k * lanes per block].
 template <class D, class Real>
 HWY_INLINE hn::Vec<D> loadBlocks(D d, const Real* column, const Index* j) {
   if constexpr (hn::MaxLanes(d) * sizeof(Real) <= 16) {
@@ -51,7 +51,7 @@ HWY_INLINE hn::Vec<D> loadBlocks(D d, const Real* column, const Index* j) {
   }
 }
 
-/// Rows j[0], j[1], ... as columns: a transposition within each block, which beats gathers on every
+/// Rows j[0], j[1], ... as columns. Transposing within each block was faster than gathers on every
 /// processor tried.
 template <class D>
 HWY_INLINE Columns<D> loadRows(D d, const float* rows, const Index* j) {

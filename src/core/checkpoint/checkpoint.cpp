@@ -18,23 +18,23 @@ namespace {
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "checkpoints have the least byte first");
 
-/// Grows with whatever changes what an `exchange` lists.
+/// Increase it whenever the members listed by an `exchange` change.
 constexpr std::uint32_t kVersion = 1;
 
 constexpr std::string_view kMagic = "iib-ckpt";
 
-/// What stands before the state; the checksum covers all of it but itself, and the state.
+/// Precedes the state. The checksum covers the state and the header without the checksum.
 struct Header {
   char magic[8];
   std::uint32_t version;
   std::uint32_t real_bytes;  ///< precision: 4 or 8
   std::uint64_t state_bytes;
-  std::uint32_t scene_keys;  ///< checksum of their names
+  std::uint32_t names;  ///< checksum of those of the scene's keys and of reported numbers
   std::uint32_t checksum;
 };
 static_assert(sizeof(Header) == 32 && std::is_trivially_copyable_v<Header>);
 
-/// CRC-32 of zlib, going on from that of what stands before.
+/// CRC-32 of zlib, continued from the checksum of the preceding bytes.
 std::uint32_t crc32Of(std::string_view bytes, std::uint32_t before = 0) {
   const auto* first = reinterpret_cast<const Bytef*>(bytes.data());
   return static_cast<std::uint32_t>(crc32_z(before, first, bytes.size()));
@@ -45,16 +45,18 @@ std::uint32_t checksumOf(const Header& header, std::string_view state) {
   return crc32Of(state, crc32Of({first, offsetof(Header, checksum)}));
 }
 
-std::uint32_t sceneKeys() {
+std::uint32_t namesChecksum() {
   Scene scene;
-  SceneKeys keys;
-  describe(scene, keys);
-  return crc32Of(keys.names());
+  StepReport report;
+  SceneKeys names;
+  describe(scene, names);
+  describeReproducible(names, report);
+  return crc32Of(names.names());
 }
 
 std::uint32_t realBytes(Precision precision) { return precision == Precision::kDouble ? 8 : 4; }
 
-/// The state behind a header that holds what it says.
+/// Returns the state after checking its header.
 std::string_view checkedState(std::string_view bytes, Header& header) {
   if (bytes.size() < kMagic.size() || bytes.substr(0, kMagic.size()) != kMagic) {
     throw InvalidInput("not a checkpoint; run_scene --save and the service save make them");
@@ -82,9 +84,10 @@ std::string_view checkedState(std::string_view bytes, Header& header) {
     throw InvalidInput("it holds numbers of " + std::to_string(header.real_bytes) +
                        " bytes, and this program knows 4 (float) and 8 (double)");
   }
-  if (header.scene_keys != sceneKeys()) {
+  if (header.names != namesChecksum()) {
     throw InvalidInput(
-        "its scene has other keys than this program knows; load it with the program that saved it");
+        "its scene has other keys, or its report other numbers, than this program knows; load it "
+        "with the program that saved it");
   }
   return state;
 }
@@ -125,7 +128,7 @@ std::string encodeCheckpoint(const Simulation& simulation) {
   std::memcpy(header.magic, kMagic.data(), sizeof header.magic);
   header.version = kVersion;
   header.real_bytes = realBytes(simulation.precision());
-  header.scene_keys = sceneKeys();
+  header.names = namesChecksum();
   header.state_bytes = bytes.size() - sizeof header;
   header.checksum = checksumOf(header, std::string_view(bytes).substr(sizeof header));
   std::memcpy(bytes.data(), &header, sizeof header);

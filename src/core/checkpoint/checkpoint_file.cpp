@@ -1,4 +1,4 @@
-// Files that are whole or not there: written beside, forced to the disk, renamed.
+// Writes files atomically: to a temporary file, flushed to disk, then renamed.
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What a failed call of the system says.
+/// Text of errno after a failed system call.
 struct SystemError {
   int number;
 };
@@ -27,7 +27,7 @@ void require(bool worked) {
   if (!worked) throw SystemError{errno};
 }
 
-/// An open file or folder.
+/// Owns the descriptor of an open file or folder.
 class Descriptor {
  public:
   Descriptor(const fs::path& path, int flags) : number_(::open(path.c_str(), flags, 0666)) {
@@ -43,7 +43,7 @@ class Descriptor {
   int number_;
 };
 
-/// Waits until no one else writes to the file. @return whether it is still at `path` then
+/// Waits for the lock of the file. @return whether the file is still at `path` afterwards
 bool lock(const Descriptor& file, const fs::path& path) {
   while (::flock(file, LOCK_EX) != 0) require(errno == EINTR);
   struct stat opened {
@@ -62,7 +62,7 @@ void writeAll(const Descriptor& file, std::string_view bytes) {
   require(::fsync(file) == 0);
 }
 
-/// @return false when another process was faster, so that all is to be done again
+/// @return false when another process was faster; the caller must try again
 bool replace(const fs::path& target, const fs::path& part, std::string_view bytes) {
   const Descriptor file(part, O_WRONLY | O_CREAT | O_CLOEXEC);
   if (!lock(file, part)) return false;
@@ -74,11 +74,11 @@ bool replace(const fs::path& target, const fs::path& part, std::string_view byte
     throw;
   }
   const Descriptor folder(target.parent_path(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  require(::fsync(folder) == 0 || errno == EINVAL);  // some file systems know no such thing
+  require(::fsync(folder) == 0 || errno == EINVAL);  // some file systems cannot sync a folder
   return true;
 }
 
-/// The file that a link points to, not the link, and never a device.
+/// Resolves links, and refuses devices.
 fs::path targetOf(const std::string& path) {
   std::error_code error;
   const fs::path absolute = path.empty() ? fs::path() : fs::absolute(path, error);
@@ -104,7 +104,7 @@ void requireSavable(const std::string& path) {
 
 void writeCheckpoint(std::string_view bytes, const std::string& path) {
   const fs::path target = targetOf(path);
-  // Always the same, so that what a kill leaves behind is written over and not kept for ever.
+  // A fixed name, so that the next save overwrites what a killed process left behind.
   const fs::path part = target.string() + ".part";
   try {
     while (!replace(target, part, bytes)) continue;

@@ -78,20 +78,17 @@ void Neighbours<Real>::restore(std::size_t particles) {
 }
 
 template <class Real>
-void Colliders<Real>::settle() const {
+void Colliders<Real>::restore() const {
   const auto possible = [](const auto& pose) {
     return pose.position.cwiseAbs().maxCoeff() <= kMaxCoordinate_m && isRotation(pose.rotation);
   };
-  const auto all = [&](const auto& bodies) {
-    return std::all_of(bodies.begin(), bodies.end(), [&](const auto& body) {
-      return possible(body.motion.from) && possible(body.motion.to);
-    });
-  };
+  const bool motions = std::all_of(begin(), end(), [&](const MovingShape<Real>& collider) {
+    return possible(collider.motion.from) && possible(collider.motion.to);
+  });
   const bool travels = std::all_of(travels_.begin(), travels_.end(), [&](const Travel& travel) {
     return possible(travel.start) && possible(travel.target);
   });
-  requireSense(travels && all(containers) && all(planes) && all(spheres),
-               "a collider that is nowhere");
+  requireSense(travels && motions, "a collider that is nowhere");
 }
 
 template <class Real>
@@ -183,7 +180,7 @@ template <class Real>
 void Simulator<Real>::restore(std::size_t n) {
   particles_.restore(n);
   fluid_->restore(n);
-  colliders_.settle();
+  colliders_.restore();
   requireSense(substeps_ >= 1 && substeps_ <= 1000, "a number of substeps that cannot be");
   requireSense(within(strictness_, 0.0, 1.0), "ice that is more than frozen");
   requireSense(still_s_ >= 0.0 && report_.time_s >= 0.0 && within(report_.substeps, 0, 1000),

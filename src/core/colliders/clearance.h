@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 
 #include "colliders/colliders.h"
 #include "particles/particles.h"
@@ -17,10 +16,6 @@ struct Paths {
   const VectorField<Real>& to;
   const VectorField<Real>* by = nullptr;
 };
-
-/// So many paths are looked at together that the compiler makes vectors of the loops over them.
-constexpr std::size_t kClearanceTile = 64;
-using ClearMask = std::array<std::uint32_t, kClearanceTile>;
 
 /// For particles first ... first + count - 1, whether the path surely stays further than `margin_m`
 /// from where any collider would stop it. Cautious: a path that is not clear may yet be free.

@@ -2,27 +2,13 @@
 #pragma once
 
 #include <array>
-#include <variant>
 #include <vector>
 
 #include "colliders/colliders.h"
 
 namespace ice_ice_baby {
 
-/// Plane that the end of a path may not pass, in the scene frame at the end of the substep.
-struct Face {
-  Vec3d normal;     ///< towards where the point may be
-  Vec3d point;      ///< on the plane
-  double gap_m;     ///< of the end of the path; negative: so deep
-  double before_m;  ///< of its start, against the collider at the start
-  Index number;     ///< 0 ... 5, tells faces of one collider apart
-};
-
-/// Motion of the collider with that number in the order containers, planes, spheres.
-template <class Real>
-const Motion<Real>& motionOf(const Colliders<Real>& colliders, std::size_t number);
-
-/// The colliders in double, as one list: containers, planes, spheres.
+/// The colliders in double, with the same numbers.
 class ColliderFaces {
  public:
   /// Takes over where the colliders are in this substep.
@@ -33,7 +19,7 @@ class ColliderFaces {
   double friction(std::size_t k) const { return all_[k].friction; }
   const Motion<double>& motion(std::size_t k) const { return all_[k].motion; }
   bool moves(std::size_t k) const { return all_[k].moves; }
-  bool isContainer(std::size_t k) const { return all_[k].shape.index() == 0; }
+  bool hollow(std::size_t k) const { return all_[k].shape.hollow(); }
 
   /// Whether points that stay within `radius_m` of a path may come near.
   bool near(std::size_t k, const Vec3d& from, const Vec3d& to, double radius_m) const;
@@ -51,7 +37,7 @@ class ColliderFaces {
     Motion<double> motion;
     double friction;
     bool moves;
-    std::variant<ContainerShape<double>, PlaneShape<double>, SphereShape<double>> shape;
+    Shape<double> shape;
   };
 
   std::vector<Entry> all_;

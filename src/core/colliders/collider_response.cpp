@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "colliders/colliders.h"
 
@@ -14,28 +13,28 @@ namespace {
 constexpr int kMaxPasses = 16;
 
 /// Pushes shorter than this, in radii, are not worth another pass.
-constexpr double kSettled_r = 1e-4;
+constexpr double kAtRest_r = 1e-4;
 
 /// Pushes longer than this, in radii, after the last pass mean that there is no room.
 constexpr double kTrapped_r = 1e-2;
 
-/// A path that goes deeper than this, in radii, through a ball is not one round it.
+/// A path that goes deeper than this, in radii, through a round shape, is not one round it.
 constexpr double kCut_r = 0.1;
 
 /// Free places are looked for at distances of half a radius and its doubles, up to 128 radii.
 constexpr int kShells = 9;
 
 /// Nearest allowed end of a path that slides without friction.
-template <class Real, class Shape>
-Vec3<Real> slide(const Body<Real, Shape>& body, const Vec3<Real>& from, const Vec3<Real>& to) {
+template <class Real>
+Vec3<Real> slide(const MovingShape<Real>& body, const Vec3<Real>& from, const Vec3<Real>& to) {
   const Vec3<Real> wanted = body.motion.to.toLocal(to);
   const Vec3<Real> allowed = body.shape.resolve(body.motion.from.toLocal(from), wanted);
   return allowed == wanted ? to : body.motion.to.toWorld(allowed);
 }
 
 /// Nearest allowed end of a path, with the tangential part of its motion reduced by friction.
-template <class Real, class Shape>
-Vec3<Real> contact(const Body<Real, Shape>& body, const Vec3<Real>& from, const Vec3<Real>& to,
+template <class Real>
+Vec3<Real> contact(const MovingShape<Real>& body, const Vec3<Real>& from, const Vec3<Real>& to,
                    bool stick) {
   const Vec3<Real> start = body.motion.from.toLocal(from);
   const Vec3<Real> wanted = body.motion.to.toLocal(to);
@@ -59,16 +58,11 @@ template <class Real>
 template <class Push>
 Real Colliders<Real>::pushAll(Vec3<Real>& end, const Push& push) const {
   Real most = 0;
-  const auto pushBy = [&](const auto& bodies) {
-    for (const auto& body : bodies) {
-      const Vec3<Real> pushed = push(body, end);
-      most = std::max(most, (pushed - end).squaredNorm());
-      end = pushed;
-    }
-  };
-  pushBy(spheres);
-  pushBy(planes);
-  pushBy(containers);
+  for (const Index k : push_order_) {
+    const Vec3<Real> pushed = push(all_[k], end);
+    most = std::max(most, (pushed - end).squaredNorm());
+    end = pushed;
+  }
   return most;
 }
 
@@ -77,60 +71,54 @@ Vec3<Real> Colliders<Real>::respond(const Vec3<Real>& from, const Vec3<Real>& to
                                     bool stick) const {
   Vec3<Real> end = to;
   std::size_t pushes = 0;
-  const auto push = [&](const auto& body, const Vec3<Real>& wanted) {
+  const auto push = [&](const MovingShape<Real>& body, const Vec3<Real>& wanted) {
     Vec3<Real> pushed = contact(body, from, wanted, stick);
     if (pushed != wanted) ++pushes;
     return pushed;
   };
-  const bool one = containers.size() + planes.size() + spheres.size() == 1;
-  const Real settled = static_cast<Real>(kSettled_r) * radius_m_;
+  const bool one = count() == 1;
+  const Real at_rest = static_cast<Real>(kAtRest_r) * radius_m_;
   for (int pass = 0; pass < kMaxPasses; ++pass) {
-    if (pushAll(end, push) > settled * settled && !one) continue;
-    return pushes < 2 || one || !cutsSphere(from, end) ? end : nearestFree(from, end);
+    if (pushAll(end, push) > at_rest * at_rest && !one) continue;
+    return pushes < 2 || one || !cutsRound(from, end) ? end : nearestFree(from, end);
   }
-  return settle(from, end) ? end : nearestFree(from, end);
+  return slideFree(from, end) ? end : nearestFree(from, end);
 }
 
-/// Whether a path goes through a ball. One ball is slid around, but what several push may thread a
-/// gap between them that is too narrow.
+/// Whether a path goes through a round shape. One is slid around, but what several push may thread
+/// a gap between them that is too narrow.
 template <class Real>
-bool Colliders<Real>::cutsSphere(const Vec3<Real>& from, const Vec3<Real>& to) const {
-  return std::any_of(spheres.begin(), spheres.end(), [&](const auto& body) {
-    const Vec3<Real> a = body.motion.from.toLocal(from);
-    const Vec3<Real> way = body.motion.to.toLocal(to) - a;
-    const Real length2 = way.squaredNorm();
-    const Real nearest = length2 > 0 ? -a.dot(way) / length2 : 0;
-    if (nearest <= 0 || nearest >= 1) return false;
-    const Real depth = body.shape.reach - (a + nearest * way).norm();
-    return depth > static_cast<Real>(kCut_r) * radius_m_;
+bool Colliders<Real>::cutsRound(const Vec3<Real>& from, const Vec3<Real>& to) const {
+  return std::any_of(begin(), end(), [&](const MovingShape<Real>& body) {
+    return body.shape.round() &&
+           body.shape.cut(body.motion.from.toLocal(from), body.motion.to.toLocal(to)) >
+               static_cast<Real>(kCut_r) * radius_m_;
   });
 }
 
 /// Passes without friction until no collider pushes any more. @return whether there is room
 template <class Real>
-bool Colliders<Real>::settle(const Vec3<Real>& from, Vec3<Real>& end) const {
-  const auto push = [&](const auto& body, const Vec3<Real>& wanted) {
+bool Colliders<Real>::slideFree(const Vec3<Real>& from, Vec3<Real>& end) const {
+  const auto push = [&](const MovingShape<Real>& body, const Vec3<Real>& wanted) {
     return slide(body, from, wanted);
   };
-  return settleBy(push, end) && !cutsSphere(from, end);
+  return pushFree(push, end) && !cutsRound(from, end);
 }
 
-/// The same by any way round a sphere.
+/// The same by any way round what is round.
 template <class Real>
-bool Colliders<Real>::settleRound(const Vec3<Real>& from, Vec3<Real>& end) const {
-  const auto push = [&](const auto& body, const Vec3<Real>& wanted) {
-    if constexpr (std::is_same_v<decltype(body.shape), SphereShape<Real>>) {
-      return slide(body, body.motion.from.toWorld(body.motion.to.toLocal(wanted)), wanted);
-    } else {
-      return slide(body, from, wanted);
-    }
+bool Colliders<Real>::slideFreeAnyWay(const Vec3<Real>& from, Vec3<Real>& end) const {
+  const auto push = [&](const MovingShape<Real>& body, const Vec3<Real>& wanted) {
+    const bool any_way = body.shape.round();
+    return slide(body, any_way ? body.motion.from.toWorld(body.motion.to.toLocal(wanted)) : from,
+                 wanted);
   };
-  return settleBy(push, end);
+  return pushFree(push, end);
 }
 
 template <class Real>
 template <class Push>
-bool Colliders<Real>::settleBy(const Push& push, Vec3<Real>& end) const {
+bool Colliders<Real>::pushFree(const Push& push, Vec3<Real>& end) const {
   const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * end.template lpNorm<1>();
   const Real free = std::max(static_cast<Real>(kTrapped_r) * radius_m_, rounding);
   for (int pass = 0; pass < kMaxPasses; ++pass) {
@@ -145,7 +133,7 @@ Vec3<Real> Colliders<Real>::nearestFree(const Vec3<Real>& from, const Vec3<Real>
   for (const double share : {0.5, 0.25, 0.0}) {
     Vec3<Real> place = from + static_cast<Real>(share) * (end - from);
     const Vec3<Real> wanted = place;
-    if (settle(from, place) && (place - wanted).norm() <= radius_m_) return place;
+    if (slideFree(from, place) && (place - wanted).norm() <= radius_m_) return place;
   }
   Real distance = radius_m_ / 2;
   for (int shell = 0; shell < kShells; ++shell, distance *= 2) {
@@ -155,7 +143,7 @@ Vec3<Real> Colliders<Real>::nearestFree(const Vec3<Real>& from, const Vec3<Real>
       if (k == 13) continue;
       const Eigen::Vector3i way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
       Vec3<Real> place = from + distance * way.cast<Real>().normalized();
-      if (!settleRound(from, place) || (place - from).squaredNorm() >= nearest) continue;
+      if (!slideFreeAnyWay(from, place) || (place - from).squaredNorm() >= nearest) continue;
       best = place;
       nearest = (place - from).squaredNorm();
     }

@@ -14,45 +14,6 @@ Motion<Real> standing(const Posed& pose) {
   return {pose.cast<Real>(), pose.cast<Real>()};
 }
 
-template <class Real>
-ContainerShape<Real> makeShape(const Container& c, double radius) {
-  const Vec3d half(c.size_m.x() / 2, c.size_m.y() / 2, 0.0);
-  const Vec3d high(half.x(), half.y(), c.size_m.z());
-  const Vec3d r = Vec3d::Constant(radius);
-  const Vec3d wall = Vec3d::Constant(c.wall_m);
-  ContainerShape<Real> shape;
-  // A box narrower than a particle keeps its middle plane.
-  shape.inner.low = (-half + r).cwiseMin((high - half) / 2).cast<Real>();
-  shape.inner.high = (high - r).cwiseMax((high - half) / 2).cast<Real>();
-  shape.outer.low = (-half - wall - r).cast<Real>();
-  shape.outer.high = (high + wall + r).cast<Real>();
-  shape.open_top = c.open_top;
-  if (c.open_top) {
-    shape.inner.high.z() = static_cast<Real>(high.z());
-    shape.outer.high.z() = static_cast<Real>(high.z());
-  }
-  shape.middle = {(shape.inner.low + shape.outer.low) / 2,
-                  (shape.inner.high + shape.outer.high) / 2};
-  return shape;
-}
-
-template <class Real>
-PlaneShape<Real> makeShape(const Plane& p, double radius) {
-  PlaneShape<Real> shape;
-  shape.surface = static_cast<Real>(radius);
-  shape.infinite = p.infinite();
-  const Vec3d half(p.size_x_m / 2 + radius, p.size_y_m / 2 + radius, 0.0);
-  shape.plate.low = Vec3d(-half.x(), -half.y(), -p.thickness_m - radius).cast<Real>();
-  shape.plate.high = Vec3d(half.x(), half.y(), radius).cast<Real>();
-  return shape;
-}
-
-template <class Real>
-SphereShape<Real> makeShape(const Sphere& s, double radius) {
-  return {static_cast<Real>(s.radius_m + radius)};
-}
-
-template <class Real>
 Posed between(const Posed& a, const Posed& b, double fraction) {
   const Eigen::Quaterniond qa(a.rotation), qb(b.rotation);
   Posed pose;
@@ -63,37 +24,51 @@ Posed between(const Posed& a, const Posed& b, double fraction) {
 
 }  // namespace
 
+/// Those of later lists push first, so that containers have the last word.
 template <class Real>
 Colliders<Real>::Colliders(const Scene& scene, double radius_m)
     : radius_m_(static_cast<Real>(radius_m)) {
-  const auto add = [&](auto& bodies, const auto& items) {
-    for (const auto& item : items) {
+  forEachColliderList(scene, [&](const auto& list, const ColliderKind&) {
+    std::vector<Index> order;
+    for (const auto& item : list) {
+      order.push_back(static_cast<Index>(all_.size()));
       const Posed pose = item.pose();
-      bodies.push_back({item.name, makeShape<Real>(item, radius_m), standing<Real>(pose),
-                        static_cast<Real>(item.friction)});
+      all_.push_back({item.name, Shape<Real>(makeShape<Real>(item, radius_m)), standing<Real>(pose),
+                      static_cast<Real>(item.friction), pose.cast<Real>()});
       travels_.push_back({item.name, pose, pose});
     }
-  };
-  add(containers, scene.containers);
-  add(planes, scene.planes);
-  add(spheres, scene.spheres);
+    push_order_.insert(push_order_.begin(), order.begin(), order.end());
+  });
 }
 
 template <class Real>
-template <class Visit>
-void Colliders<Real>::forEachMotion(Visit&& visit) {
-  std::size_t k = 0;
-  for (auto& body : containers) visit(body.motion, travels_[k++]);
-  for (auto& body : planes) visit(body.motion, travels_[k++]);
-  for (auto& body : spheres) visit(body.motion, travels_[k++]);
+bool Colliders<Real>::anyHollow() const {
+  return std::any_of(begin(), end(), [](const auto& c) { return c.shape.hollow(); });
+}
+
+template <class Real>
+bool Colliders<Real>::anyFlat() const {
+  return std::any_of(begin(), end(), [](const auto& c) { return c.shape.flat(); });
+}
+
+template <class Real>
+bool Colliders<Real>::hidden(const Vec3<Real>& point, const Vec3<Real>& place, bool flush) const {
+  const Real slack = Real(flush ? -1e-3 : 1e-3) * radius_m_;
+  return std::any_of(begin(), end(), [&](const MovingShape<Real>& collider) {
+    if (!collider.shape.hollow()) return false;
+    const Pose<Real>& pose = collider.motion.to;
+    return collider.shape.hides(pose.toLocal(point), pose.toLocal(place), slack);
+  });
 }
 
 template <class Real>
 void Colliders<Real>::setSubstep(double begin, double end) {
-  forEachMotion([&](Motion<Real>& motion, const Travel& travel) {
-    motion.from = between<Real>(travel.start, travel.target, begin).template cast<Real>();
-    motion.to = between<Real>(travel.start, travel.target, end).template cast<Real>();
-  });
+  for (std::size_t k = 0; k < all_.size(); ++k) {
+    const Travel& travel = travels_[k];
+    Motion<Real>& motion = all_[k].motion;
+    motion.from = between(travel.start, travel.target, begin).template cast<Real>();
+    motion.to = between(travel.start, travel.target, end).template cast<Real>();
+  }
 }
 
 template <class Real>
@@ -111,20 +86,6 @@ void Colliders<Real>::moveTo(const std::string& name, const Posed& pose) {
   const_cast<Travel&>(travel(name)).target = pose;
 }
 
-/// How far from its origin a point of a collider can be that a turn moves and anybody notices.
-template <class Real>
-double Colliders<Real>::reachOf(std::size_t number, double reach_m) const {
-  if (number < containers.size()) {
-    const BoxShape<Real>& box = containers[number].shape.outer;
-    return double(box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).norm());
-  }
-  number -= containers.size();
-  if (number >= planes.size()) return 0.0;
-  const PlaneShape<Real>& shape = planes[number].shape;
-  if (shape.infinite) return reach_m;
-  return double(shape.plate.low.cwiseAbs().cwiseMax(shape.plate.high.cwiseAbs()).norm());
-}
-
 template <class Real>
 std::vector<Jump<Real>> Colliders<Real>::jump(double most_m, double reach_m) {
   std::vector<Jump<Real>> jumps;
@@ -132,7 +93,7 @@ std::vector<Jump<Real>> Colliders<Real>::jump(double most_m, double reach_m) {
     Travel& travel = travels_[k];
     const Eigen::AngleAxisd turn(travel.start.rotation.transpose() * travel.target.rotation);
     const double far = (travel.target.position - travel.start.position).norm() +
-                       std::abs(turn.angle()) * reachOf(k, reach_m);
+                       std::abs(turn.angle()) * all_[k].shape.turningRadius(reach_m);
     if (far <= most_m) continue;
     jumps.push_back({k, {travel.start.template cast<Real>(), travel.target.template cast<Real>()}});
     travel.start = travel.target;
@@ -153,8 +114,8 @@ Posed Colliders<Real>::pose(const std::string& name) const {
 
 template <class Real>
 std::size_t Colliders<Real>::bytes() const {
-  return containers.capacity() * sizeof(containers[0]) + planes.capacity() * sizeof(planes[0]) +
-         spheres.capacity() * sizeof(spheres[0]) + travels_.capacity() * sizeof(Travel);
+  return all_.capacity() * sizeof(MovingShape<Real>) + push_order_.capacity() * sizeof(Index) +
+         travels_.capacity() * sizeof(Travel);
 }
 
 template class Colliders<float>;

@@ -33,12 +33,15 @@ BoundaryDensity<Real>::BoundaryDensity(const Scene& scene, const Colliders<Real>
       spacing_(scene.fluid.spacing_m),
       volume_(volume_m3),
       radius_(static_cast<Real>(spacing_ / 2)) {
-  plane_ = halfSpace();
-  if (!colliders.containers.empty()) {
+  tables_.push_back(halfSpace());
+  if (colliders.anyHollow()) {
     edge_ = edge();
     corner_ = corner();
   }
-  for (const auto& body : colliders.spheres) spheres_.push_back(ball(body.shape.reach - radius_));
+  for (const MovingShape<Real>& collider : colliders) {
+    table_of_.push_back(collider.shape.flat() ? 0 : tables_.size());
+    if (!collider.shape.flat()) tables_.push_back(ball(collider.shape.curvatureRadius()));
+  }
 }
 
 /// Sum over the lattice that goes on behind `walls` walls at right angles, in their common region.
@@ -129,13 +132,13 @@ std::vector<Real> BoundaryDensity<Real>::corner() const {
 
 /// Adds what three walls share, linear between the nodes of the table.
 template <class Real>
-void BoundaryDensity<Real>::addCorner(const std::array<NearWall<Real>, 3>& walls,
+void BoundaryDensity<Real>::addCorner(const std::array<NearSurface<Real>, 3>& walls,
                                       WallSample<Real>& sample) const {
   const Real per_m = static_cast<Real>(kCornerSize / h_);
   std::array<std::size_t, 3> cell{};
   std::array<Real, 3> part{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Real place = std::max(walls[k].distance, Real(0)) * per_m;
+    const Real place = std::max(walls[k].gap + radius_, Real(0)) * per_m;
     cell[k] = std::min(static_cast<std::size_t>(place), std::size_t(kCornerSize - 1));
     part[k] = place - static_cast<Real>(cell[k]);
   }
@@ -151,30 +154,31 @@ void BoundaryDensity<Real>::addCorner(const std::array<NearWall<Real>, 3>& walls
     sample.value += value * weight[0] * weight[1] * weight[2];
     for (std::size_t k = 0; k < 3; ++k) {
       const Real slope = (up[k] ? per_m : -per_m) * weight[(k + 1) % 3] * weight[(k + 2) % 3];
-      sample.gradient[walls[k].axis] += walls[k].sign * value * slope;
+      sample.gradient += (value * slope) * walls[k].normal;
     }
   }
 }
 
-/// Half spaces of all walls, less what two share, plus what three share.
+/// What lies behind all surfaces, less what two share, plus what three share.
 template <class Real>
-WallSample<Real> BoundaryDensity<Real>::inBox(const NearWalls<Real>& near) const {
-  const NearWall<Real>* walls = near.begin();
+WallSample<Real> BoundaryDensity<Real>::sumOf(const NearSurfaces<Real>& near,
+                                              const DistanceTable<Real>& table) const {
+  const NearSurface<Real>* surfaces = near.begin();
   WallSample<Real> sample;
   for (int a = 0; a < near.count; ++a) {
-    const NearWall<Real>& one = walls[a];
-    const auto [density, slope] = plane_.at(one.distance);
+    const NearSurface<Real>& one = surfaces[a];
+    const auto [density, slope] = table.at(one.gap + radius_);
     sample.value += density;
-    sample.gradient[one.axis] += one.sign * slope;
+    sample.gradient += slope * one.normal;
     for (int b = a + 1; b < near.count; ++b) {
-      const NearWall<Real>& two = walls[b];
+      const NearSurface<Real>& two = surfaces[b];
       if (two.axis == one.axis) continue;
-      const auto shared = edge_.at(one.distance, two.distance);
+      const auto shared = edge_.at(one.gap + radius_, two.gap + radius_);
       sample.value -= shared.value;
-      sample.gradient[one.axis] -= one.sign * shared.slope_a;
-      sample.gradient[two.axis] -= two.sign * shared.slope_b;
+      sample.gradient -= shared.slope_a * one.normal;
+      sample.gradient -= shared.slope_b * two.normal;
       for (int c = b + 1; c < near.count; ++c) {
-        if (walls[c].axis != two.axis) addCorner({one, two, walls[c]}, sample);
+        if (surfaces[c].axis != two.axis) addCorner({one, two, surfaces[c]}, sample);
       }
     }
   }
@@ -184,101 +188,70 @@ WallSample<Real> BoundaryDensity<Real>::inBox(const NearWalls<Real>& near) const
 /// The floor, and of the other walls the share of a half space that lies below the rim; both end
 /// where a point over the wall belongs outside. A wall that ended at once would be a step in the
 /// density, which throws whatever crosses it.
+/// @param near surfaces near rim.below
 template <class Real>
-WallSample<Real> BoundaryDensity<Real>::nearRim(const ContainerShape<Real>& shape,
-                                                const Vec3<Real>& local) const {
-  const Real above = local.z() - shape.inner.high.z();
-  Vec3<Real> within = local;
-  if (above >= 0) within.z() = shape.inner.high.z() - Real(1e-3) * radius_;
-  NearWalls<Real> near = nearWalls(shape, within, radius_, static_cast<Real>(h_));
-  NearWalls<Real> floor;
-  for (NearWall<Real>& wall : near.walls) {
-    if (&wall == near.end()) break;
+WallSample<Real> BoundaryDensity<Real>::nearRim(const Rim<Real>& rim, const Vec3<Real>& local,
+                                                NearSurfaces<Real> near) const {
+  NearSurfaces<Real> floor;
+  for (NearSurface<Real>& wall : near) {
     if (wall.axis != 2) continue;
-    wall.distance += local.z() - within.z();
-    floor.walls[std::size_t(floor.count++)] = wall;
+    wall.gap += local.z() - rim.below.z();
+    floor.add(wall);
   }
-  const auto [half, slope] = plane_.at(std::abs(above));
-  const Real whole = 2 * plane_.at(Real(0)).first;
-  const Real share = above < 0 ? 1 - half / whole : half / whole;
-  const WallSample<Real> bottom = inBox(floor), all = inBox(near);
+  const DistanceTable<Real>& flat = tables_.front();
+  const auto [half, slope] = flat.at(std::abs(rim.above));
+  const Real whole = 2 * flat.at(Real(0)).first;
+  const Real share = rim.above < 0 ? 1 - half / whole : half / whole;
+  const WallSample<Real> bottom = sumOf(floor, flat), all = sumOf(near, flat);
   WallSample<Real> sample;
   sample.value = bottom.value + share * (all.value - bottom.value);
   sample.gradient = bottom.gradient + share * (all.gradient - bottom.gradient);
   sample.gradient.z() += slope / whole * (all.value - bottom.value);
-  fadeOverWall(shape, local, sample);
+  fadeOverWall(rim, sample);
   return sample;
 }
 
 template <class Real>
-void BoundaryDensity<Real>::fadeOverWall(const ContainerShape<Real>& shape, const Vec3<Real>& local,
-                                         WallSample<Real>& sample) const {
-  for (int axis = 0; axis < 2; ++axis) {
-    const Real sign = local[axis] < 0 ? Real(-1) : Real(1);
-    const Real over = sign * local[axis] - shape.inner.high[axis];
-    if (over <= 0) continue;
-    const Real width = shape.middle.high[axis] - shape.inner.high[axis];
-    const Real kept = std::max(Real(0), 1 - over / width);
+void BoundaryDensity<Real>::fadeOverWall(const Rim<Real>& rim, WallSample<Real>& sample) const {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (rim.over[axis] <= 0) continue;
+    const Real kept = std::max(Real(0), 1 - rim.over[axis] / rim.width[axis]);
     sample.gradient *= kept;
-    sample.gradient[axis] -= sign * sample.value / width;
+    sample.gradient[int(axis)] -= rim.side[axis] * sample.value / rim.width[axis];
     sample.value *= kept;
   }
 }
 
 template <class Real>
-void BoundaryDensity<Real>::addContainer(const Body<Real, ContainerShape<Real>>& body,
-                                         const Vec3<Real>& point, WallSample<Real>& sample) const {
-  const Vec3<Real> local = body.motion.to.toLocal(point);
-  const Real above_rim = local.z() - body.shape.inner.high.z();
-  const Real h = static_cast<Real>(h_);
-  if (body.shape.open_top && above_rim >= h) return;
-  const bool at_rim = body.shape.open_top && above_rim > -h;
-  const WallSample<Real> box =
-      at_rim ? nearRim(body.shape, local) : inBox(nearWalls(body.shape, local, radius_, h));
-  if (box.value == 0) return;
-  sample.value += box.value;
-  sample.gradient += body.motion.to.rotation * box.gradient;
-}
-
-template <class Real>
-void BoundaryDensity<Real>::addPlane(const Body<Real, PlaneShape<Real>>& body,
-                                     const Vec3<Real>& point, WallSample<Real>& sample) const {
-  const Real distance = heightAbove(body, point, radius_);
-  if (distance < 0) return;
-  const auto [density, slope] = plane_.at(distance);
-  const Vec3<Real> normal = body.motion.to.rotation.col(2);
-  if (density == 0 ||
-      hiddenByWall<Real>(colliders_, point, point - distance * normal, radius_, true))
-    return;
-  sample.value += density;
-  sample.gradient += normal * slope;
-}
-
-template <class Real>
 WallSample<Real> BoundaryDensity<Real>::at(const Vec3<Real>& point) const {
   WallSample<Real> sample;
-  for (const auto& body : colliders_.containers) addContainer(body, point, sample);
-  for (const auto& body : colliders_.planes) addPlane(body, point, sample);
-  for (std::size_t k = 0; k < spheres_.size(); ++k) {
-    const auto& body = colliders_.spheres[k];
-    const Vec3<Real> out = point - body.motion.to.position;
-    const Real distance = out.norm();
-    const Real gap = distance - body.shape.reach + radius_;
-    const auto [density, slope] = spheres_[k].at(gap);
-    if (density == 0 || distance == 0) continue;
-    const Vec3<Real> normal = out / distance;
-    if (hiddenByWall<Real>(colliders_, point, point - gap * normal, radius_, true)) continue;
-    sample.value += density;
-    sample.gradient += normal * slope;
+  const Real h = static_cast<Real>(h_);
+  for (std::size_t k = 0; k < colliders_.count(); ++k) {
+    const Shape<Real>& shape = colliders_[k].shape;
+    const Pose<Real>& pose = colliders_[k].motion.to;
+    const Vec3<Real> local = pose.toLocal(point);
+    const auto rim = shape.rim(local, h);
+    const NearSurfaces<Real> near = shape.near(rim ? rim->below : local, h);
+    if (near.count == 0) continue;
+    const WallSample<Real> one =
+        rim ? nearRim(*rim, local, near) : sumOf(near, tables_[table_of_[k]]);
+    if (one.value == 0) continue;
+    if (!shape.hollow()) {
+      const NearSurface<Real>& nearest = *near.begin();
+      const Vec3<Real> to_foot = (nearest.gap + radius_) * (pose.rotation * nearest.normal);
+      if (colliders_.hidden(point, point - to_foot, true)) continue;
+    }
+    sample.value += one.value;
+    sample.gradient += pose.rotation * one.gradient;
   }
   return sample;
 }
 
 template <class Real>
 std::size_t BoundaryDensity<Real>::bytes() const {
-  std::size_t total =
-      plane_.bytes() + (edge_.values.capacity() + corner_.capacity()) * sizeof(Real);
-  for (const DistanceTable<Real>& table : spheres_) total += table.bytes();
+  std::size_t total = (edge_.values.capacity() + corner_.capacity()) * sizeof(Real) +
+                      table_of_.capacity() * sizeof(std::size_t);
+  for (const DistanceTable<Real>& table : tables_) total += table.bytes();
   return total;
 }
 

@@ -1,11 +1,11 @@
 // Density that walls and colliders add to particles near them, so that water rests against a wall
 // as it rests against water: without it particles stack at walls.
 //
-// A flat wall counts as if the rest lattice went on behind it, its first layer half a spacing deep,
-// so a lattice at rest in a box has exactly the rest density up to the last particle. Where walls
-// of a box meet, what their half spaces share is counted once. Walls end at the rim of an open
-// container: they fade over a support radius on either side of it, as a half space would. A sphere
-// counts by the volume of the kernel that lies inside it.
+// A flat surface counts as if the rest lattice went on behind it, its first layer half a spacing
+// deep, so a lattice at rest in a box has exactly the rest density up to the last particle. Where
+// walls of a box meet, what their half spaces share is counted once. Walls end at the rim of an
+// open container: they fade over a support radius on either side of it, as a half space would. A
+// curved surface counts by the volume of the kernel that lies inside a ball of its curvature.
 #pragma once
 
 #include <array>
@@ -14,7 +14,6 @@
 #include "colliders/clearance.h"
 #include "colliders/colliders.h"
 #include "colliders/distance_table.h"
-#include "colliders/near_walls.h"
 #include "particles/kernels.h"
 
 namespace ice_ice_baby {
@@ -60,15 +59,11 @@ class BoundaryDensity {
   EdgeTable edge() const;
   std::vector<Real> corner() const;
   double ghosts(const std::array<double, 3>& distances, int walls) const;
-  WallSample<Real> inBox(const NearWalls<Real>& near) const;
-  WallSample<Real> nearRim(const ContainerShape<Real>& shape, const Vec3<Real>& local) const;
-  void fadeOverWall(const ContainerShape<Real>& shape, const Vec3<Real>& local,
-                    WallSample<Real>& sample) const;
-  void addCorner(const std::array<NearWall<Real>, 3>& walls, WallSample<Real>& sample) const;
-  void addContainer(const Body<Real, ContainerShape<Real>>& body, const Vec3<Real>& point,
-                    WallSample<Real>& sample) const;
-  void addPlane(const Body<Real, PlaneShape<Real>>& body, const Vec3<Real>& point,
-                WallSample<Real>& sample) const;
+  WallSample<Real> sumOf(const NearSurfaces<Real>& near, const DistanceTable<Real>& table) const;
+  WallSample<Real> nearRim(const Rim<Real>& rim, const Vec3<Real>& local,
+                           NearSurfaces<Real> near) const;
+  void fadeOverWall(const Rim<Real>& rim, WallSample<Real>& sample) const;
+  void addCorner(const std::array<NearSurface<Real>, 3>& walls, WallSample<Real>& sample) const;
 
   const Colliders<Real>& colliders_;
   KernelPair kernel_;
@@ -76,10 +71,10 @@ class BoundaryDensity {
   double spacing_;
   double volume_;
   Real radius_;
-  DistanceTable<Real> plane_;
   EdgeTable edge_;
-  std::vector<Real> corner_;  ///< what three walls share, over the distances to all
-  std::vector<DistanceTable<Real>> spheres_;
+  std::vector<Real> corner_;                 ///< what three walls share, over the distances to all
+  std::vector<DistanceTable<Real>> tables_;  ///< of a flat surface, then of curved ones
+  std::vector<std::size_t> table_of_;        ///< for each collider
 };
 
 }  // namespace ice_ice_baby

@@ -37,7 +37,7 @@ void IceContacts<Real>::markOut(Index b, Index collider) {
   out_[b] = 1;
   if (collider == kNone || !faces_.moves(collider)) return;
   // A container has the last word, as it has for water.
-  if (carrier_[b] == kNone || !faces_.isContainer(carrier_[b])) carrier_[b] = collider;
+  if (carrier_[b] == kNone || !faces_.hollow(carrier_[b])) carrier_[b] = collider;
 }
 
 /// Looks at every member of a body that moved further than its contacts tell of.

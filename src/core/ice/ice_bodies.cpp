@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "colliders/collider_faces.h"
 #include "particles/kernels.h"
 
 namespace ice_ice_baby {
@@ -80,8 +79,7 @@ void IceBodies<Real>::limit(IceBody& body) {
 /// Where the collider that carries a body has it.
 template <class Real>
 Placement IceBodies<Real>::held(const IceBody& body, const Colliders<Real>& colliders) const {
-  const Placement carrier =
-      placementOf(motionOf(colliders, body.anchor).to.template cast<double>());
+  const Placement carrier = placementOf(colliders[body.anchor].motion.to.template cast<double>());
   return {carrier.at(body.hold.centre_m), carrier.rotation * body.hold.rotation};
 }
 
@@ -224,8 +222,8 @@ void IceBodies<Real>::carry(const std::vector<Jump<Real>>& jumps,
       const Placement from = placementOf(jump.motion.from.template cast<double>());
       const Placement to = placementOf(jump.motion.to.template cast<double>());
       const Vec3d local = from.turn.transpose() * (body.pose.centre_m - from.centre_m);
-      const bool within = body.anchor == kNone && jump.number < colliders.containers.size() &&
-                          colliders.containers[jump.number].shape.inside(local.cast<Real>());
+      const bool within =
+          body.anchor == kNone && colliders[jump.number].shape.holds(local.cast<Real>());
       if (!within && body.anchor != jump.number) continue;
       const Eigen::Quaterniond turn = to.rotation * from.rotation.conjugate();
       body.moveTo(within ? Placement(to.at(local), turn * body.pose.rotation)
@@ -242,7 +240,7 @@ template <class Real>
 void IceBodies<Real>::anchor(Index b, Index collider, const Colliders<Real>& colliders) {
   IceBody& body = bodies_[b];
   if (body.anchor == collider) return;
-  const Placement carrier = placementOf(motionOf(colliders, collider).to.template cast<double>());
+  const Placement carrier = placementOf(colliders[collider].motion.to.template cast<double>());
   const Eigen::Quaterniond back = carrier.rotation.conjugate();
   body.hold = {back * (body.pose.centre_m - carrier.centre_m), back * body.pose.rotation};
   body.anchor = collider;

@@ -59,7 +59,7 @@ class IceBodies {
   void carry(const std::vector<Jump<Real>>& jumps, const Colliders<Real>& colliders);
 
   /// From now on a collider carries the body. Nothing happens when it does already.
-  /// @param collider its number in the order containers, planes, spheres
+  /// @param collider its number
   void anchor(Index body, Index collider, const Colliders<Real>& colliders);
 
   /// Puts dry and supported bodies to sleep that have been slower than `ice.sleep_speed_m_s` for

@@ -1,4 +1,4 @@
-// Writes config/default.yaml, the manual, from the same description that reads it.
+// Writes config/default.yaml from the descriptions in params.h and scene_keys.h.
 #include <sstream>
 #include <type_traits>
 
@@ -49,7 +49,7 @@ class Writer {
 
   template <class Item>
   void list(const char* name, std::vector<Item>&, const char* meaning) {
-    out_ << "\n# " << meaning << ": a list, empty by default. An entry, with its defaults:\n"
+    out_ << "\n# " << meaning << ": a list, empty by default. One entry with its defaults:\n"
          << indent_ << name << ": []\n";
     Item item;
     out_ << "#  -\n";
@@ -82,10 +82,11 @@ class Writer {
 
 std::string defaultYaml() {
   std::ostringstream out;
-  out << "# Every key of a scene: its default, its meaning and {what is allowed}.\n"
-         "# Copy a file of config/scenes, change what you like, run it: run_scene my_scene.yaml\n"
+  out << "# Every key of a scene file, with its default, meaning and {allowed values}.\n"
+         "# To make a scene, copy a file of config/scenes, edit it and run it: run_scene "
+         "my_scene.yaml\n"
          "# Units are SI, z is up, temperatures are degrees Celsius.\n"
-         "# Written by `run_scene --defaults`; a test holds this file to the code.\n\n";
+         "# Written by run_scene --defaults; a test compares this file with the code.\n\n";
   Scene scene;
   describe(scene, Writer(out, ""));
   return out.str();

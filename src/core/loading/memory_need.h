@@ -1,13 +1,13 @@
-// Whether a scene fits this machine, told before memory is taken: the kernel would give it out
-// first and end the program later.
+// Checks that a scene fits into memory before allocating: Linux would grant the memory and kill the
+// program later.
 #pragma once
 
 #include "ice_ice_baby/scene.h"
 
 namespace ice_ice_baby {
 
-/// Memory that a particle takes at the least, lists of neighbours included: what the stages of the
-/// leanest scenes hold is a little more.
+/// Lower bound of the memory per particle, neighbour lists included. The smallest scenes use
+/// slightly more.
 constexpr double kLeastParticle_bytes = 200.0;
 
 /// @throws InvalidInput for a scene whose particles take more than `memory_bytes`

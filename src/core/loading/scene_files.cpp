@@ -1,5 +1,7 @@
 #include "loading/scene_files.h"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
@@ -30,6 +32,23 @@ std::vector<std::string> namesIn(const fs::path& folder) {
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+/// The shared library that holds this code, or the program that it is linked into.
+fs::path ownFile() {
+  std::error_code error;
+  Dl_info info;
+  if (dladdr(kVerification, &info) != 0 && std::strchr(info.dli_fname, '/') != nullptr) {
+    const fs::path file = fs::canonical(info.dli_fname, error);
+    if (!error) return file;
+  }
+  return fs::canonical("/proc/self/exe", error);
+}
+
+/// Folder of the scenes that $ICE_ICE_BABY_SCENES names, or "".
+std::string chosenFolder() {
+  const char* chosen = std::getenv("ICE_ICE_BABY_SCENES");
+  return chosen ? chosen : "";
 }
 
 bool liesWithin(const fs::path& file, const fs::path& folder) {
@@ -92,11 +111,19 @@ std::string sceneFile(const std::string& name) {
 }
 
 std::string sceneFolder() {
-  if (const char* chosen = std::getenv("ICE_ICE_BABY_SCENES")) return chosen;
-  for (const char* folder : {IIB_SOURCE_SCENES, IIB_INSTALLED_SCENES}) {
-    if (fs::is_directory(folder)) return folder;
+  const std::string chosen = chosenFolder();
+  if (!chosen.empty()) {
+    if (fs::is_directory(chosen)) return chosen;
+    throw InvalidInput("no scenes: ICE_ICE_BABY_SCENES = " + shortened(chosen) +
+                       " is not a folder; set it to a folder of .yaml files, or unset it");
   }
-  return IIB_INSTALLED_SCENES;
+  const fs::path installed = (ownFile().parent_path() / IIB_SCENES_FROM_HERE).lexically_normal();
+  for (const fs::path& folder : {installed, fs::path(IIB_SOURCE_SCENES)}) {
+    if (fs::is_directory(folder)) return folder.string();
+  }
+  throw InvalidInput("no scenes: neither " + installed.string() +
+                     " nor " IIB_SOURCE_SCENES
+                     " is a folder; set ICE_ICE_BABY_SCENES to a folder of .yaml files");
 }
 
 std::vector<std::string> sceneNames() {
@@ -104,7 +131,10 @@ std::vector<std::string> sceneNames() {
   std::vector<std::string> names = namesIn(folder);
   const std::vector<std::string> known = namesIn(folder / kVerification);
   names.insert(names.end(), known.begin(), known.end());
-  return names;
+  if (!names.empty()) return names;
+  throw InvalidInput("no scenes: " + shortened(folder.string()) +
+                     " holds no .yaml files; set ICE_ICE_BABY_SCENES to a folder that does" +
+                     (chosenFolder().empty() ? "" : ", or unset it"));
 }
 
 }  // namespace ice_ice_baby

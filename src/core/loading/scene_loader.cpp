@@ -14,7 +14,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Deeper than any key of config/default.yaml.
+/// More levels than any key of config/default.yaml has.
 constexpr std::size_t kMaxKeyParts = 10;
 
 std::vector<std::string> splitKey(const std::string& key) {

@@ -166,14 +166,11 @@ class Reader {
 
 /// Colliders without a name are called container_0, plane_1 and so on.
 void nameColliders(Scene& scene) {
-  const auto name = [](auto& colliders, const std::string& kind) {
-    for (std::size_t k = 0; k < colliders.size(); ++k) {
-      if (colliders[k].name.empty()) colliders[k].name = kind + "_" + std::to_string(k);
+  forEachColliderList(scene, [](auto& list, const ColliderKind& kind) {
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (list[k].name.empty()) list[k].name = std::string(kind.noun) + "_" + std::to_string(k);
     }
-  };
-  name(scene.containers, "container");
-  name(scene.planes, "plane");
-  name(scene.spheres, "sphere");
+  });
 }
 
 /// Puts a block of its own in place of every copy.

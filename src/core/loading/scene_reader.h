@@ -1,4 +1,4 @@
-// Turns a YAML tree into a Scene, refusing every key and value that scene_keys.h does not describe.
+// Reads a Scene from a YAML tree. Refuses every key and value that scene_keys.h does not describe.
 #pragma once
 
 #include <yaml-cpp/yaml.h>

@@ -43,16 +43,12 @@ class Solids {
  public:
   explicit Solids(const Scene& scene) : solids_(scene, 0.0) {
     faces_.take(solids_);
-    const auto add = [&](const auto& colliders, const std::string& what, const std::string& list) {
-      for (std::size_t k = 0; k < colliders.size(); ++k) {
-        keys_.push_back(list + "." + std::to_string(k));
-        words_.push_back(what);
-        words_.back().append(colliders[k].name).append(" (").append(keys_.back()).append(")");
+    forEachColliderList(scene, [&](const auto& list, const ColliderKind& kind) {
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        keys_.push_back(std::string(kind.key) + "." + std::to_string(k));
+        words_.push_back(std::string(kind.noun) + " " + list[k].name + " (" + keys_.back() + ")");
       }
-    };
-    add(scene.containers, "container ", "containers");
-    add(scene.planes, "plane ", "planes");
-    add(scene.spheres, "sphere ", "spheres");
+    });
   }
 
   std::size_t count() const { return faces_.count(); }
@@ -62,20 +58,19 @@ class Solids {
     const Box bounds = boundsOf(block);
     const double radius = bounds.diagonal().norm() / 2;
     if (!faces_.near(k, bounds.center(), bounds.center(), radius)) return;
-    const bool container = faces_.isContainer(k);
+    const bool hollow = faces_.hollow(k);
     std::size_t all = 0, within = 0, inside = 0;
     forEachLatticePoint(block, spacing_m, [&](const Vec3d& x) {
       ++all;
       if (faces_.push(k, x, x).norm() > kHair_m) ++within;
-      if (container) inside += solids_.containers[k].shape.inside(toLocal(k, x));
+      inside += solids_[k].shape.holds(toLocal(k, x));
     });
     const std::string cure = "; change " + key + ".min_m or max_m, or " + keys_[k] + ".position_m";
     if (within > 0) {
       throw InvalidInput(key + ": " + shareText(within, all) + " inside " +
-                         (container ? "the wall of " : "") + words_[k] + cure);
+                         (hollow ? "the wall of " : "") + words_[k] + cure);
     }
-    const bool closed = container && !solids_.containers[k].shape.open_top;
-    if (closed && inside > 0 && inside < all) {
+    if (solids_[k].shape.closed() && inside > 0 && inside < all) {
       throw InvalidInput(key + ": " + shareText(all - inside, all) + " outside the closed " +
                          words_[k] + " and the others inside it" + cure);
     }

@@ -1,4 +1,4 @@
-// Which scenes are refused, whether they were read from a file or made in code.
+// Validates scenes, whether read from a file or built in code.
 #include <cmath>
 #include <set>
 #include <type_traits>
@@ -14,11 +14,10 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Sweeps of the solver within a frame at most: between two frames alone can it be stopped.
+/// Limit on solver sweeps per frame, because a run can only be stopped between frames.
 constexpr int kMaxSweeps = 10000;
 
-/// Visitor of describe(): holds every number and text to its range, for scenes that no file was
-/// read for.
+/// Visitor of describe(): checks every number and text against its range, for scenes built in code.
 class RangeCheck {
  public:
   explicit RangeCheck(std::string path) : path_(std::move(path)) {}
@@ -26,8 +25,8 @@ class RangeCheck {
   template <class Number>
   void operator()(const char* name, Number& value, Range range, const char*) const {
     if constexpr (std::is_base_of_v<Eigen::MatrixBase<Number>, Number>) {
-      for (const double part : value.reshaped()) {
-        requireInRange(path_ + name, part, range.min, range.max);
+      for (Eigen::Index k = 0; k < value.size(); ++k) {
+        requireInRange(path_ + name, value(k), range.min, range.max);
       }
     } else {
       requireInRange(path_ + name, value, range.min, range.max);
@@ -70,7 +69,7 @@ void requireFluid(const Scene& scene) {
       "does");
 }
 
-/// The paper's rest density, 45 times that of water, would make heat flow 45 times too slowly.
+/// The paper's rest density is 45 times that of water, so heat would flow 45 times too slowly.
 void requireThermal(const Scene& scene) {
   const ThermalParams& thermal = scene.thermal;
   if (!(thermal.freezing_c < thermal.boiling_c)) {
@@ -91,7 +90,7 @@ void requireNames(const Scene& scene) {
   }
   std::set<std::string> taken;
   forEachCollider(scene, [&](const Collider& collider) {
-    if (collider.name.empty()) return;  // of a scene made in code, which names what it moves
+    if (collider.name.empty()) return;  // allowed in scenes built in code
     requireFrameName("name of a collider", collider.name);
     if (!collider.follow_frame.empty()) {
       requireFrameName("follow_frame of collider " + collider.name, collider.follow_frame);
@@ -128,7 +127,7 @@ void requireBlock(const Scene& scene, const Block& block, const std::string& nam
                      " m along every axis, the spacing that follows from fluid.spacing_m");
 }
 
-/// The total first: it is found at little cost however many blocks there are.
+/// Checks the total first, because it is cheap to compute for any number of blocks.
 void requireBlocks(const Scene& scene) {
   const std::int64_t count = particleCount(scene);
   if (static_cast<double>(count) > scene.limits.max_particles) {

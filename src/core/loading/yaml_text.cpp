@@ -12,7 +12,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Reads along with the parser, before any tree is built.
+/// Handles the events of the parser, before any tree is built.
 class Guard : public YAML::EventHandler {
  public:
   void OnDocumentStart(const YAML::Mark&) override {}
@@ -46,7 +46,7 @@ class Guard : public YAML::EventHandler {
     bool map;
     YAML::anchor_t anchor;
     std::size_t entries_before;
-    bool key_next;  ///< of a map: keys and values come in turn
+    bool key_next;  ///< in a map: whether a key comes next, or a value
     std::map<std::string, int> lines;
   };
 
@@ -74,7 +74,7 @@ class Guard : public YAML::EventHandler {
     open_.pop_back();
   }
 
-  /// One more key or value of what is open; `text` of a scalar.
+  /// Counts a key or value of the open map or list; `text` if it is a scalar.
   void place(const YAML::Mark& mark, const std::string* text) {
     if (open_.empty() || !open_.back().map) return;
     Open& map = open_.back();
@@ -96,7 +96,7 @@ class Guard : public YAML::EventHandler {
   }
 
   std::vector<Open> open_;
-  std::map<YAML::anchor_t, std::size_t> sizes_;  ///< of what an alias may stand for
+  std::map<YAML::anchor_t, std::size_t> sizes_;  ///< entries behind each anchor
   std::size_t entries_ = 0;
 };
 

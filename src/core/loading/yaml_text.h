@@ -1,4 +1,4 @@
-// YAML text as a tree, under limits that yaml-cpp itself does not have.
+// Parses YAML text with limits on size and nesting, which yaml-cpp does not have.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -7,13 +7,14 @@
 
 namespace ice_ice_baby {
 
-/// Longest text, deepest nesting and most entries, each alias counted as all that it stands for.
+/// Limits on text length, nesting depth and number of entries. An alias counts as its whole
+/// content.
 constexpr std::size_t kMaxYaml_bytes = 1 << 20;
 constexpr std::size_t kMaxYamlDepth = 20;
 constexpr std::size_t kMaxYamlEntries = 1000000;
 
-/// @throws InvalidInput naming `origin` for what is not YAML, is more than one document or beyond
-/// the limits, and for a key that stands twice in one map, of which yaml-cpp would take the first
+/// @throws InvalidInput naming `origin` for invalid YAML, more than one document, text beyond the
+/// limits, and a key that occurs twice in a map (yaml-cpp would silently take the first)
 YAML::Node parseYaml(const std::string& text, const std::string& origin);
 
 }  // namespace ice_ice_baby

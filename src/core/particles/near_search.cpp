@@ -16,11 +16,11 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// No wider than the padding of the fields.
+/// At most as wide as the padding of the fields.
 template <class Real>
 using Lanes = hn::CappedTag<Real, 16>;
 
-/// A mask over lanes of one type as a mask over as many lanes of another.
+/// Converts a mask to another lane type with the same number of lanes.
 template <class DTo, class DFrom>
 HWY_INLINE hn::Mask<DTo> convertMask(DTo to, DFrom from, hn::Mask<DFrom> mask) {
   if constexpr (sizeof(hn::TFromD<DTo>) == sizeof(hn::TFromD<DFrom>)) {
@@ -37,7 +37,7 @@ HWY_INLINE hn::Vec<D> squaredNorm(D, hn::Vec<D> x, hn::Vec<D> y, hn::Vec<D> z) {
   return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
 }
 
-/// Smallest box around particles of one cell, its sides as vectors.
+/// Bounding box of the particles of one cell, its bounds broadcast to vectors.
 template <class D>
 struct Box {
   hn::Vec<D> low, high;
@@ -48,7 +48,7 @@ struct Box {
     low = hn::Set(d, *bounds.first);
     high = hn::Set(d, *bounds.second);
   }
-  /// How far beyond the box along its axis, 0 within.
+  /// Distance beyond the box along its axis; 0 inside.
   HWY_INLINE hn::Vec<D> beyond(D d, hn::Vec<D> value) const {
     return hn::Max(hn::Zero(d), hn::Max(hn::Sub(low, value), hn::Sub(value, high)));
   }
@@ -74,8 +74,8 @@ void gather(const VectorField<Real>& padded, IndexRange cell, const CellRows& ro
       const auto indices = hn::Iota(d_index, j);
       const auto inside = hn::Lt(indices, last);
       const auto near = hn::And(convertMask(d, d_index, inside), hn::Lt(r2, limit));
-      // Compressing in a register and storing all of it is many times faster on some processors
-      // than storing compressed.
+      // On some processors a compressing store is many times slower than compressing in a register
+      // and storing all of it.
       hn::StoreU(hn::Compress(x, near), d, &out.x[count]);
       hn::StoreU(hn::Compress(y, near), d, &out.y[count]);
       hn::StoreU(hn::Compress(z, near), d, &out.z[count]);
@@ -116,7 +116,7 @@ Index* collect(const Candidates<Real>& candidates, const VectorField<Real>& padd
   return out;
 }
 
-/// Calls work(i) so that vectors from every such i cover 0 ... n - 1, the last two overlapping.
+/// Calls work(i) for vectors that start at i and cover 0 ... n - 1; the last two overlap.
 template <std::size_t kLanes, class Work>
 HWY_INLINE bool coverAll(std::size_t n, const Work& work) {
   for (std::size_t i = 0; i + kLanes <= n; i += kLanes) {
@@ -125,7 +125,7 @@ HWY_INLINE bool coverAll(std::size_t n, const Work& work) {
   return n % kLanes == 0 || work(n - kLanes);
 }
 
-/// Middle of the displacements along one axis.
+/// Midpoint of the displacements along one axis.
 template <class D, class Real>
 HWY_INLINE Real middleShift(D d, const std::vector<Real>& now, const std::vector<Real>& before) {
   auto low = hn::Set(d, std::numeric_limits<Real>::max());
@@ -180,7 +180,7 @@ namespace ice_ice_baby {
 HWY_EXPORT(floatSearch);
 HWY_EXPORT(doubleSearch);
 
-/// A quarter more than needed, so that steady states do not allocate.
+/// Allocates a quarter more than needed, so that a steady state does not allocate.
 template <class Real>
 void Candidates<Real>::makeRoom(std::size_t particles) {
   constexpr std::size_t kVector = 16;

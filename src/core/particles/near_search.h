@@ -1,4 +1,4 @@
-// The inner loops of the neighbour search, as vectors as wide as the processor has.
+// Vectorised inner loops of the neighbour search.
 #pragma once
 
 #include <array>
@@ -12,18 +12,18 @@ struct IndexRange {
   Index first, last;
 };
 
-/// Particles in the three by three rows of cells, each three cells long, around a cell.
+/// Index ranges of the 3 x 3 rows of cells around a cell; each row is three cells long.
 using CellRows = std::array<IndexRange, 9>;
 
-/// Particles that may be near those of one cell, side by side, so that all of the cell scan them
-/// from the cache.
+/// Particles that may be near those of one cell, stored contiguously so that all particles of the
+/// cell scan them from the cache.
 template <class Real>
 struct Candidates {
-  std::vector<Real> x, y, z;  ///< m; from `count` to the next multiple of a vector: infinity
+  std::vector<Real> x, y, z;  ///< m; padded with infinity to a multiple of the vector length
   std::vector<Index> index;
   std::size_t count = 0;
 
-  /// For so many particles and two vectors.
+  /// Makes room for this many particles and two vectors.
   void makeRoom(std::size_t particles);
   std::size_t bytes() const {
     return (x.capacity() + y.capacity() + z.capacity()) * sizeof(Real) +
@@ -33,23 +33,23 @@ struct Candidates {
 
 template <class Real>
 struct NearSearch {
-  /// Takes every particle of the rows that is nearer than the root of `limit2` to the box around
-  /// particles `cell`, in order.
-  /// @param padded reaches a vector beyond the last particle
-  /// @param out has room for all of them
+  /// Collects, in order, the particles of the rows whose squared distance to the bounding box of
+  /// the particles `cell` is less than `limit2`.
+  /// @param padded positions, padded by one vector beyond the last particle
+  /// @param out needs room for all of them
   void (*gather)(const VectorField<Real>& padded, IndexRange cell, const CellRows& rows,
                  Real limit2, Candidates<Real>& out);
-  /// Writes every candidate j with |x_j - x_i|^2 < limit2 but i itself, in order, and up to a
-  /// vector (16 values) of anything behind the last. Returns the end.
-  /// @param coincident set if one of them lies exactly where i does
+  /// Writes every candidate j != i with |x_j - x_i|^2 < limit2, in order. May write up to one
+  /// vector (16 values) of garbage after the last. Returns the end.
+  /// @param coincident set if one of them has exactly the position of i
   Index* (*collect)(const Candidates<Real>& candidates, const VectorField<Real>& padded, Index i,
                     Real limit2, Index* out, bool& coincident);
-  /// Whether every particle is within `limit` of where it was, but for a shift common to all.
-  /// No, if one is not a finite number.
+  /// Whether every particle has moved less than `limit`, apart from a displacement common to all.
+  /// False if a position is not finite.
   bool (*allWithin)(const VectorField<Real>& now, const VectorField<Real>& before, Real limit);
 };
 
-/// The loops for this processor.
+/// The loops for the best instruction set of this processor.
 template <class Real>
 NearSearch<Real> nearSearch();
 

@@ -18,14 +18,14 @@ namespace ice_ice_baby {
 
 namespace {
 
-// A key packs three 20-bit cell coordinates, z highest, so that cells along x follow each other.
+// A key packs three 20-bit cell coordinates, z highest, so that cells along x are consecutive.
 constexpr int kBits = 20;
 constexpr std::int64_t kMaxCell = (std::int64_t(1) << kBits) - 2;
 
-/// Share of the machine's memory that lists may take: the rest of a scene takes as much.
+/// Fraction of the machine's memory that lists may take; the rest of a scene takes about as much.
 constexpr double kListShare = 0.5;
 
-/// A length in m as a text to a micrometre.
+/// A length in m as text, rounded to a micrometre.
 std::string lengthText(double length_m) { return numberText(std::round(1e6 * length_m) / 1e6); }
 
 constexpr std::uint64_t packKey(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
@@ -54,12 +54,12 @@ bool Neighbours<Real>::stale(const VectorField<Real>& predicted) const {
 
 template <class Real>
 std::uint64_t Neighbours<Real>::cellAlong(int axis, Real value) const {
-  // Cells start at 1 and end before the last, so that a neighbouring cell never wraps round. The
-  // clamp keeps cells of neighbours next to each other, however far out they are.
-  // The edge is a hair longer than the reach, so that rounding cannot part neighbours by two
-  // cells.
+  // Cell coordinates start at 1 and end before the last, so that a neighbouring cell never wraps
+  // around. The clamp keeps neighbours in adjacent cells at any distance from the origin.
+  // The cell edge is slightly longer than the reach, so that rounding cannot separate neighbours by
+  // two cells.
   const double offset = double(value - origin_[axis]) / (1.0001 * double(reach_));
-  // What is not a number lies in the first cell.
+  // NaN goes to the first cell.
   return static_cast<std::uint64_t>(std::min(std::max(0.0, offset), double(kMaxCell - 1))) + 1;
 }
 
@@ -84,8 +84,8 @@ const std::vector<Index>& Neighbours<Real>::sortOrder(const VectorField<Real>& p
   return order_;
 }
 
-/// 10 bits a pass, leaving out passes in which all cells agree: stable, linear, and one pass an
-/// axis for scenes of usual size.
+/// 10 bits per pass; passes in which all cells agree are skipped. Stable and linear, with one pass
+/// per axis for scenes of usual size.
 template <class Real>
 void Neighbours<Real>::sortAlong(int axis, const std::vector<Real>& values) {
   constexpr int kDigitBits = 10;
@@ -115,7 +115,7 @@ void Neighbours<Real>::findCells() {
   cells_.push_back({~std::uint64_t(0), n});
 }
 
-/// Particles in it.
+/// Number of particles in a cell.
 template <class Real>
 std::size_t Neighbours<Real>::fullestCell() const {
   Index fullest = 0;
@@ -125,8 +125,7 @@ std::size_t Neighbours<Real>::fullestCell() const {
   return fullest;
 }
 
-/// For the most candidates that any cell can have, so that it does not matter to which thread the
-/// fullest falls.
+/// Reserves for the largest number of candidates of any cell, so that no thread allocates more.
 template <class Real>
 void Neighbours<Real>::makeRoom(std::size_t builders) {
   const std::size_t fullest = fullestCell();
@@ -136,7 +135,7 @@ void Neighbours<Real>::makeRoom(std::size_t builders) {
   }
 }
 
-/// Rows of cells around cells that come in ascending order: each row's place only moves on.
+/// Rows of cells around a cell, for cells in ascending order: each row only moves forwards.
 template <class Real>
 class Neighbours<Real>::RowCursors {
  public:
@@ -162,7 +161,7 @@ class Neighbours<Real>::RowCursors {
   }
 
  private:
-  /// Key of the middle cell of row k.
+  /// Key of the centre cell of row k.
   static std::uint64_t middle(std::uint64_t key, int k) {
     const std::int64_t dy = k % 3 - 1, dz = k / 3 - 1;
     return key + static_cast<std::uint64_t>(dz * (std::int64_t(1) << (2 * kBits)) +
@@ -187,8 +186,8 @@ void Neighbours<Real>::buildChunk(std::size_t chunk, Builder& builder) {
   }
 }
 
-/// Writes the list of one particle, and behind it i itself, which the next list writes over: so
-/// that vectors that reach beyond a list read indices of particles.
+/// Writes the list of one particle, followed by i itself, so that a vector that reaches beyond the
+/// list reads valid indices. The next list overwrites them.
 template <class Real>
 void Neighbours<Real>::buildList(Index i, Builder& builder) {
   const Candidates<Real>& candidates = builder.candidates;
@@ -203,7 +202,7 @@ void Neighbours<Real>::buildList(Index i, Builder& builder) {
 template <class Real>
 void Neighbours<Real>::build(const VectorField<Real>& predicted) {
   const std::size_t n = predicted.size();
-  built_at_.resize(n + kPadding);  // before the copy: growing after it would double the memory
+  built_at_.resize(n + kPadding);  // before copying, as growing later would double the memory
   std::copy(predicted.x.begin(), predicted.x.end(), built_at_.x.begin());
   std::copy(predicted.y.begin(), predicted.y.end(), built_at_.y.begin());
   std::copy(predicted.z.begin(), predicted.z.end(), built_at_.z.begin());
@@ -245,7 +244,7 @@ void Neighbours<Real>::buildLists() {
   coincident_ = coincident;
 }
 
-/// Gives their memory back. Lists of no particles are stale.
+/// Frees the memory of the lists, which are stale then.
 template <class Real>
 void Neighbours<Real>::forgetLists() {
   count_.clear();

@@ -1,5 +1,5 @@
-// Neighbour search (the paper's spatial map): occupied cells in sorted order, and per particle the
-// list of those nearer than the support radius.
+// Neighbour search (the paper's spatial map): particles sorted by cell, and for each particle the
+// list of particles within the support radius.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace ice_ice_baby {
 
-/// Memory grows with the particles alone, not with the space between them.
+/// Only occupied cells are stored, so memory depends on the number of particles alone.
 template <class Real>
 class Neighbours {
  public:
-  /// Neighbours of one particle: a range of indices in ascending cell order, itself left out.
+  /// Neighbours of one particle, without the particle itself, in ascending cell order.
   struct List {
     const Index* first;
     const Index* last;
@@ -24,28 +24,29 @@ class Neighbours {
   };
 
   /// @param support_m h, m
-  /// @param skin_m lists reach h + skin and stay valid while no two particles have moved by skin
-  /// against each other
+  /// @param skin_m lists reach h + skin and stay valid until two particles have moved by skin
+  /// relative to each other
   Neighbours(Real support_m, Real skin_m);
 
-  /// Memory that all lists may take, half of the machine's unless told otherwise: n particles at
-  /// one place have n^2 neighbours, and the kernel would rather end the program than say no.
+  /// Limits the memory of all lists; half of the machine's memory by default. n particles at one
+  /// point have n^2 neighbours, and Linux would kill the program rather than refuse the memory.
   void limitLists(double most_bytes);
 
-  /// Whether some predicted position is further than skin / 2 from where the lists were built, but
-  /// for a shift common to all: water that falls as one keeps its lists.
+  /// Whether some predicted position has moved more than skin / 2 since the lists were built,
+  /// apart from a displacement common to all (water in free fall keeps its lists).
   bool stale(const VectorField<Real>& predicted) const;
 
-  /// Order in which particles lie cell by cell: place k is for particle order[k]. The lists are
-  /// gone until the next build, as the sort works in their memory.
+  /// Order of the particles by cell: place k belongs to particle order[k]. Invalidates the lists
+  /// until the next build, because the sort uses their memory.
   const std::vector<Index>& sortOrder(const VectorField<Real>& predicted);
 
-  /// Builds every list from positions that lie in the order that sortOrder gave.
-  /// @throws InvalidInput where they take too much memory; they are stale then, and nothing is lost
+  /// Builds every list from positions in the order that sortOrder returned.
+  /// @throws InvalidInput if the lists take too much memory; they are stale then, and no other
+  /// state has changed
   void build(const VectorField<Real>& predicted);
 
-  /// Every j with |x_j* - x_i*| < h, and some that are up to skin further. Behind the last lie
-  /// enough other indices for a vector of up to kPadding to start in the list.
+  /// Every j with |x_j* - x_i*| < h, and some that are up to skin further away. The list is
+  /// followed by enough valid indices for a vector of kPadding lanes to start at any entry.
   List of(std::size_t i) const {
     const Index* first = pages_.at(place_[i]);
     return {first, first + count_[i]};
@@ -54,31 +55,31 @@ class Neighbours {
   /// Lanes of the widest vectors in use.
   static constexpr std::size_t kPadding = 16;
 
-  /// Whether the latest build found two particles at exactly one point.
+  /// Whether the latest build found two particles at exactly the same point.
   bool coincident() const { return coincident_; }
 
   std::size_t builds() const { return builds_; }
   std::size_t pairs() const;
   std::size_t bytes() const;
 
-  /// Where the lists were built: they follow from it.
+  /// Lists the positions at the latest build; the lists are recomputed from them.
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive) {
     archive(self.built_at_, self.builds_);
   }
-  /// Builds the lists again where those that a checkpoint held were built.
+  /// Rebuilds the lists from the positions that a checkpoint holds.
   /// @throws InvalidInput when these are not positions of `particles` particles sorted by cell
   void restore(std::size_t particles);
 
  private:
   static constexpr std::size_t kChunk = 256;
 
-  /// Particles first ... end of the next cell share this cell.
+  /// The cell holds the particles from `first` up to `first` of the next cell.
   struct Cell {
     std::uint64_t key;
     Index first;
   };
-  /// What one thread needs to build lists.
+  /// Scratch memory of one thread for building lists.
   struct Builder {
     Candidates<Real>& candidates;
     ListPages::Writer lists;
@@ -102,9 +103,9 @@ class Neighbours {
   NearSearch<Real> search_ = nearSearch<Real>();
   VectorField<Real> built_at_;  ///< (n + kPadding) positions at the last build
   std::vector<Index> order_;    ///< (n)
-  std::vector<Cell> cells_;     ///< occupied cells by key, and one end mark
-  std::vector<Index> place_;    ///< (n) where a list is in the pages; scratch of the sort
-  std::vector<Index> count_;    ///< (n) its size; scratch of the sort
+  std::vector<Cell> cells_;     ///< occupied cells by key, and a sentinel at the end
+  std::vector<Index> place_;    ///< (n) place of a list in the pages; scratch of the sort
+  std::vector<Index> count_;    ///< (n) length of a list; scratch of the sort
   ListPages pages_;
   double most_bytes_;                         ///< of the lists
   std::vector<Candidates<Real>> candidates_;  ///< one for each thread that builds

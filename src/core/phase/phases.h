@@ -5,13 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "ice_ice_baby/samples.h"
 #include "ice_ice_baby/scene.h"
 #include "particles/neighbours.h"
 #include "phase/enthalpy_curve.h"
 
 namespace ice_ice_baby {
-
-enum class Phase : std::uint8_t { kWater, kIce, kSteam };
 
 template <class Real>
 class Phases {

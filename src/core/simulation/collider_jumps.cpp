@@ -25,9 +25,8 @@ std::size_t carry(const std::vector<Jump<Real>>& jumps, const Colliders<Real>& c
   for (Index i = 0; i < particles.size(); ++i) {
     if (bodies && bodies->memberAt(i) != kNone) continue;
     for (const Jump<Real>& jump : jumps) {
-      if (jump.number >= colliders.containers.size()) break;
       const Vec3<Real> local = jump.motion.from.toLocal(particles.position.at(i));
-      if (!colliders.containers[jump.number].shape.inside(local)) continue;
+      if (!colliders[jump.number].shape.holds(local)) continue;
       const Mat3<Real> rotation = jump.motion.to.rotation * jump.motion.from.rotation.transpose();
       particles.position.set(i, jump.motion.to.toWorld(local));
       particles.velocity.set(i, rotation * particles.velocity.at(i));

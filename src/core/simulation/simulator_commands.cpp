@@ -13,8 +13,8 @@ bool still(const Vec3d& a, const Vec3d& b) { return (a - b).squaredNorm() == 0.0
 
 void requireHeat(const Scene& scene, const std::string& what) {
   if (scene.thermal.enabled) return;
-  throw InvalidInput(what + " needs thermal.enabled: scene " + scene.name +
-                     " has one temperature for all of it");
+  throw InvalidInput(what + " needs a scene with thermal.enabled: true, as iceberg; scene " +
+                     scene.name + " has one temperature for all of it");
 }
 
 }  // namespace
@@ -73,13 +73,13 @@ void requireTemperature(double celsius, double ramp_s) {
 
 void requireTarget(const Scene& scene, const std::string& target) {
   if (target.empty()) return;
+  requireHeat(scene, "a temperature of collider \"" + shortened(target) + "\"");
   std::vector<std::string> names;
   forEachCollider(scene, [&](const Collider& c) { names.push_back(c.name); });
   if (std::find(names.begin(), names.end(), target) == names.end()) {
-    throw InvalidInput("no collider \"" + shortened(target) +
-                       "\"; \"\" is the air, the scene has: " + joined(names));
+    throw InvalidInput("no collider \"" + shortened(target) + "\"; scene " + scene.name +
+                       " has: " + joined(names) + "; \"\" is the air");
   }
-  requireHeat(scene, "a temperature of collider " + target);
 }
 
 void requireHeatedRegion(const Scene& scene, const HeatedRegion& region) {

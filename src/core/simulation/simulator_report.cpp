@@ -49,6 +49,7 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
   const ThermalSolver<Real>* heat = phase_change_ ? &phase_change_->heat() : nullptr;
   const auto& x = particles_.position;
   const auto& v = particles_.velocity;
+  const Phase of_scene = frozen() ? Phase::kIce : Phase::kWater;
   for (std::size_t k = 0; k < out.size(); ++k) {
     const Index i = places[k * stride];
     out[k] = {float(x.x[i]),
@@ -61,7 +62,8 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
               float(heat ? heat->iceFraction(i) : strictness_),
               float(fluid_->density()[i]),
               float(fluid_->pressure_pa(i, substeps_1_s)),
-              particles_.id[i]};
+              particles_.id[i],
+              phase_change_ ? phase_change_->phases().of(i) : of_scene};
   }
 }
 

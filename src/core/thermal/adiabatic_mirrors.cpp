@@ -1,7 +1,5 @@
 #include "thermal/adiabatic_mirrors.h"
 
-#include <cmath>
-
 #include "base/parallel.h"
 
 namespace ice_ice_baby {
@@ -20,9 +18,9 @@ void AdiabaticMirrors<Real>::locate(const VectorField<Real>& x) {
   owner_.resize(x.size());
   parallelFor(x.size(), [&](std::size_t i) {
     owner_[i] = kNone;
-    for (std::size_t k = 0; k < colliders_.containers.size(); ++k) {
-      const auto& body = colliders_.containers[k];
-      if (!body.shape.inside(body.motion.to.toLocal(x.at(i)))) continue;
+    for (std::size_t k = 0; k < colliders_.count(); ++k) {
+      const Shape<Real>& shape = colliders_[k].shape;
+      if (!shape.holds(colliders_[k].motion.to.toLocal(x.at(i)))) continue;
       owner_[i] = static_cast<int>(k);
       return;
     }
@@ -30,11 +28,23 @@ void AdiabaticMirrors<Real>::locate(const VectorField<Real>& x) {
 }
 
 template <class Real>
-void AdiabaticMirrors<Real>::push(Faces& faces, const Face& face, const Vec3<Real>& point) const {
+void AdiabaticMirrors<Real>::add(Faces& faces, std::size_t collider,
+                                 const NearSurface<Real>& surface, const Vec3<Real>& point) const {
   if (faces.count == int(faces.faces.size())) return;
+  const Pose<Real>& pose = colliders_[collider].motion.to;
   Face& added = faces.faces[std::size_t(faces.count++)];
-  added = face;
-  added.distance = distanceTo(face, point);
+  added.normal = pose.rotation * surface.normal;
+  added.origin = pose.toWorld(surface.resting) - radius_ * added.normal;
+  added.axis = surface.axis;
+  added.collider = collider;
+  added.distance = distanceTo(added, point);
+}
+
+/// Whether a point is above a flat face of a collider, however high, and not beside it.
+template <class Real>
+bool AdiabaticMirrors<Real>::over(std::size_t collider, const Vec3<Real>& point) const {
+  const Vec3<Real> local = colliders_[collider].motion.to.toLocal(point);
+  return colliders_[collider].shape.near(local, std::numeric_limits<Real>::infinity()).count > 0;
 }
 
 /// Whether a plate with a temperature lies flush with a wall at a point of it.
@@ -42,12 +52,13 @@ template <class Real>
 bool AdiabaticMirrors<Real>::coveredByPlate(const Vec3<Real>& foot,
                                             const Vec3<Real>& inward) const {
   const Real hair = Real(1e-3) * radius_;
-  for (std::size_t k = 0; k < colliders_.planes.size(); ++k) {
-    if (walls_.mirrors(colliders_.containers.size() + k)) continue;
-    const auto& plate = colliders_.planes[k];
-    if (plate.motion.to.rotation.col(2).dot(inward) < Real(0.999)) continue;
-    if (std::abs(heightAbove(plate, Vec3<Real>(foot + hair * inward), radius_)) < 3 * hair) {
-      return true;
+  const Vec3<Real> before = foot + 4 * hair * inward;
+  for (std::size_t k = 0; k < colliders_.count(); ++k) {
+    const Shape<Real>& shape = colliders_[k].shape;
+    if (walls_.mirrors(k) || shape.hollow() || !shape.flat()) continue;
+    const Pose<Real>& pose = colliders_[k].motion.to;
+    for (const NearSurface<Real>& near : shape.near(pose.toLocal(before), 6 * hair)) {
+      if ((pose.rotation * near.normal).dot(inward) >= Real(0.999)) return true;
     }
   }
   return false;
@@ -57,28 +68,18 @@ template <class Real>
 typename AdiabaticMirrors<Real>::Faces AdiabaticMirrors<Real>::near(std::size_t i,
                                                                     const Vec3<Real>& point) const {
   Faces faces;
-  if (owner_[i] != kNone) {
-    const auto k = static_cast<std::size_t>(owner_[i]);
-    if (!walls_.mirrors(k)) return faces;
-    const auto& body = colliders_.containers[k];
-    const Pose<Real>& pose = body.motion.to;
-    for (const NearWall<Real>& wall :
-         nearWalls(body.shape, pose.toLocal(point), radius_, support_)) {
-      const Vec3<Real> corner = wall.sign > 0 ? body.shape.inner.low : body.shape.inner.high;
-      const Vec3<Real> inward = wall.sign * pose.rotation.col(wall.axis);
-      if (coveredByPlate(point - wall.distance * inward, inward)) continue;
-      push(faces, {inward, pose.toWorld(corner) - radius_ * inward, wall.axis, 0, 0}, point);
+  const bool held = owner_[i] != kNone;
+  const std::size_t first = held ? std::size_t(owner_[i]) : 0;
+  const std::size_t last = held ? first + 1 : colliders_.count();
+  for (std::size_t k = first; k < last; ++k) {
+    const Shape<Real>& shape = colliders_[k].shape;
+    if (!walls_.mirrors(k) || !shape.flat()) continue;
+    const Pose<Real>& pose = colliders_[k].motion.to;
+    for (const NearSurface<Real>& surface : shape.near(pose.toLocal(point), support_)) {
+      const Vec3<Real> inward = pose.rotation * surface.normal;
+      if (held && coveredByPlate(point - surface.distance * inward, inward)) continue;
+      add(faces, k, surface, point);
     }
-    return faces;
-  }
-  for (std::size_t k = 0; k < colliders_.planes.size(); ++k) {
-    if (!walls_.mirrors(colliders_.containers.size() + k)) continue;
-    const auto& body = colliders_.planes[k];
-    const Real height = heightAbove(body, point, radius_);
-    if (height < 0 || height >= support_) continue;
-    const Vec3<Real> normal = body.motion.to.rotation.col(2);
-    const Vec3<Real> origin = body.motion.to.position + (body.shape.surface - radius_) * normal;
-    push(faces, {normal, origin, 2, k, 0}, point);
   }
   return faces;
 }

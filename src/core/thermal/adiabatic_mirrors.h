@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "particles/particles.h"
@@ -11,16 +12,16 @@
 namespace ice_ice_baby {
 
 /// Flat faces only. A particle in a container sees the faces of that container, one outside all
-/// containers sees planes.
+/// containers sees the flat faces of all colliders.
 template <class Real>
 class AdiabaticMirrors {
  public:
   struct Face {
     Vec3<Real> normal;
-    Vec3<Real> origin;  ///< some point of the face
-    int axis;           ///< of the container
-    std::size_t plane;  ///< its number, of a plane
-    Real distance;      ///< of the particle that sees it, m
+    Vec3<Real> origin;     ///< some point of the face
+    int axis;              ///< in the frame of the collider
+    std::size_t collider;  ///< its number
+    Real distance;         ///< of the particle that sees it, m
   };
   struct Faces {
     std::array<Face, 8> faces;
@@ -51,14 +52,16 @@ class AdiabaticMirrors {
   static Real distanceTo(const Face& face, const Vec3<Real>& point) {
     return std::max(face.normal.dot(point - face.origin), Real(0));
   }
+  bool over(std::size_t collider, const Vec3<Real>& point) const;
   bool coveredByPlate(const Vec3<Real>& foot, const Vec3<Real>& inward) const;
-  void push(Faces& faces, const Face& face, const Vec3<Real>& point) const;
+  void add(Faces& faces, std::size_t collider, const NearSurface<Real>& surface,
+           const Vec3<Real>& point) const;
 
   const Colliders<Real>& colliders_;
   const ThermalBoundaries<Real>& walls_;
   Real radius_;
   Real support_;
-  std::vector<int> owner_;  ///< (n) container that holds the particle, or kNone
+  std::vector<int> owner_;  ///< (n) collider that holds the particle, or kNone
 };
 
 template <class Real>
@@ -71,8 +74,7 @@ void AdiabaticMirrors<Real>::forEachImage(const Faces& faces, std::size_t i, std
   std::array<Real, 8> further;  // what each face adds to the square of the distance
   for (int a = 0; a < faces.count; ++a) {
     const Face& face = faces.faces[std::size_t(a)];
-    const bool beside =
-        owner_[i] == kNone && heightAbove(colliders_.planes[face.plane], point, radius_) < 0;
+    const bool beside = owner_[i] == kNone && !over(face.collider, point);
     const Real add = 4 * face.distance * distanceTo(face, point);
     further[std::size_t(a)] = beside ? reach2 : add;
   }

@@ -11,7 +11,7 @@ Conductances<Real>::Conductances(const Colliders<Real>& colliders,
                                  const ThermalBoundaries<Real>& walls,
                                  const ConductionLattice& lattice)
     : mirrors_(colliders, walls, lattice),
-      has_mirrors_(!colliders.containers.empty() || !colliders.planes.empty()),
+      has_mirrors_(colliders.anyFlat()),
       kernel_(static_cast<Real>(lattice.support_m)),
       scale_(static_cast<Real>(lattice.length_m(lattice.support_m / 2))) {}
 

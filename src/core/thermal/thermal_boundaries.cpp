@@ -66,52 +66,36 @@ double ThermalBoundaries<Real>::celsius(const std::string& name) const {
   return surface(name).celsius;
 }
 
-/// Calls visit(surface, distance, curvature) for what is nearer than `reach` and not insulated;
-/// curvature is 1 for a flat wall and for a ball the conductance of its shell over that.
+/// Calls visit(surface, distance, flatness) for what is nearer than `reach` and not insulated;
+/// flatness is the conductance of a curved shell over that of a flat wall.
 template <class Real>
 template <class Visit>
 void ThermalBoundaries<Real>::forEachNear(const Vec3<Real>& point, Real reach,
                                           const Visit& visit) const {
-  const Surface* next = surfaces_.data();
-  for (const auto& body : colliders_.containers) {
-    const Surface& one = *next++;
+  for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+    const Surface& one = surfaces_[k];
     if (one.heat == ThermalBoundary::kInsulated) continue;
-    const auto near = nearWalls(body.shape, body.motion.to.toLocal(point), radius_, reach);
-    for (const NearWall<Real>& wall : near) visit(one, wall.distance, Real(1));
-  }
-  for (const auto& body : colliders_.planes) {
-    const Surface& one = *next++;
-    if (one.heat == ThermalBoundary::kInsulated) continue;
-    const Real height = heightAbove(body, point, radius_);
-    if (height < 0 || height >= reach) continue;
-    const Vec3<Real> foot = point - height * body.motion.to.rotation.col(2);
-    if (!hiddenByWall<Real>(colliders_, point, foot, radius_, false)) visit(one, height, Real(1));
-  }
-  for (const auto& body : colliders_.spheres) {
-    const Surface& one = *next++;
-    if (one.heat == ThermalBoundary::kInsulated) continue;
-    const Vec3<Real> out = point - body.motion.to.position;
-    const Real distance = out.norm();
-    const Real ball = body.shape.reach - radius_;
-    const Real gap = distance - ball;
-    if (gap >= reach || distance == 0) continue;
-    const Vec3<Real> foot = point - out * (gap / distance);
-    if (hiddenByWall<Real>(colliders_, point, foot, radius_, false)) continue;
-    visit(one, gap, ball / std::max(distance, ball));
+    const Shape<Real>& shape = colliders_[k].shape;
+    const Pose<Real>& pose = colliders_[k].motion.to;
+    for (const NearSurface<Real>& near : shape.near(pose.toLocal(point), reach)) {
+      const Vec3<Real> foot = point - near.distance * (pose.rotation * near.normal);
+      if (!shape.hollow() && colliders_.hidden(point, foot, false)) continue;
+      visit(one, near.distance, near.flatness);
+    }
   }
 }
 
 template <class Real>
 WallContact<Real> ThermalBoundaries<Real>::at(const Vec3<Real>& point) const {
   WallContact<Real> contact;
-  forEachNear(point, support_, [&](const Surface& one, Real distance, Real curvature) {
+  forEachNear(point, support_, [&](const Surface& one, Real distance, Real flatness) {
     // Closer than this a centre is by error only, and the conductance must stay finite.
     const Real s = std::max(distance, spacing_ / 4);
     const Real area = area_ * share_.at(s).first;
     if (one.heat == ThermalBoundary::kFlux)
       contact.power_w += area * static_cast<Real>(one.flux_w_m2);
     if (one.heat == ThermalBoundary::kTemperature) {
-      contact.add(curvature * area / s, curve_.potential(one.celsius));
+      contact.add(flatness * area / s, curve_.potential(one.celsius));
     }
   });
   return contact;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "colliders/colliders.h"
 #include "colliders/distance_table.h"
-#include "colliders/near_walls.h"
 #include "phase/enthalpy_curve.h"
 #include "thermal/conduction_lattice.h"
 
@@ -27,7 +27,7 @@ struct WallContact {
 
 /// A wall with a temperature counts as if the rest lattice went on behind it, each ghost as much
 /// beyond the wall's temperature as a straight line from the particle through the wall has it. A
-/// ball counts as the flat wall with the conductance of its spherical shell.
+/// curved surface counts as the flat wall with the conductance of a spherical shell.
 template <class Real>
 class ThermalBoundaries {
  public:
@@ -88,7 +88,7 @@ class ThermalBoundaries {
   Real support_;
   Real area_;                      ///< m^2
   DistanceTable<Real> share_;      ///< ConductionLattice::wallShare
-  std::vector<Surface> surfaces_;  ///< containers, planes, spheres
+  std::vector<Surface> surfaces_;  ///< of each collider
 };
 
 }  // namespace ice_ice_baby

@@ -1,5 +1,6 @@
 #include "metrics/block_in_container.h"
 
+#include "ice_ice_baby/each_collider.h"
 #include "scene/lattice.h"
 
 namespace ice_ice_baby {
@@ -17,8 +18,9 @@ bool boxOfWaterAtRest(const Block& block, const FrameView& start, const LatticeS
 
 std::optional<BlockInContainer> blockInContainer(const FrameView& start) {
   const Scene& scene = start.scene();
-  const bool alone = scene.blocks.size() == 1 && scene.containers.size() == 1 &&
-                     scene.spheres.empty() && scene.planes.empty();
+  std::size_t colliders = 0;
+  forEachCollider(scene, [&](const Collider&) { ++colliders; });
+  const bool alone = scene.blocks.size() == 1 && scene.containers.size() == 1 && colliders == 1;
   const Vec3d& g = scene.gravity_m_s2;
   if (!alone || g.x() != 0.0 || g.y() != 0.0 || !(g.z() < 0.0)) return std::nullopt;
   const Block& block = scene.blocks.front();

@@ -1,4 +1,4 @@
-// Where a cloud of particles is and how it moves, in a handful of numbers.
+// Bounds, centre, spread and momenta of all particles.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace ice_ice_baby {
 
-/// All NaN but the momenta for an empty cloud. Sums run in id order, in double.
+/// Everything except the momenta is NaN for an empty cloud. Sums run in id order, in double.
 struct CloudMoments {
   Vec3d min_m, max_m;              ///< of the particles' centres
   Vec3d mean_m;                    ///< centre of mass

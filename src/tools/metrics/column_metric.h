@@ -1,4 +1,4 @@
-// How much lower a column of water stands than it was built.
+// Loss of height of a column of water at rest.
 #pragma once
 
 #include <deque>
@@ -8,8 +8,8 @@
 namespace ice_ice_baby {
 
 /// For one block of water at rest that fills an upright container from wall to wall and stands on
-/// its floor: it may neither sink nor rise. Its height is twice that of its centre of mass above
-/// the floor, which a ripple or a drop in the air hardly changes; mean over the last half second.
+/// its floor. It should neither sink nor rise. Its height is twice that of its centre of mass above
+/// the floor, which ripples and drops hardly affect; mean over the last half second.
 class ColumnMetric final : public MetricRecorder {
  public:
   static std::unique_ptr<ColumnMetric> forScene(const FrameView& start);

@@ -9,7 +9,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Front at T = 4, the last that is compared, by the experiment: about 5 widths.
+/// Front at T = 4, the last time compared: about 5 widths in the experiment.
 constexpr double kRoomInWidths = 5.0;
 
 /// Between 1.125 and 2.25 inches.

@@ -1,4 +1,4 @@
-// The front of a dam break, against the experiment of Martin and Moyce.
+// Front of a dam break compared with the experiment of Martin and Moyce.
 #pragma once
 
 #include "metrics/error_metrics.h"
@@ -7,9 +7,10 @@
 namespace ice_ice_baby {
 
 /// For one block of water at rest, twice as high as wide in x, that stands against the lower x wall
-/// of an upright container and reaches from wall to wall in y, with room for the front to run: what
-/// the experiment was. The front is the foremost particle and half a spacing; `front_error`
-/// compares with the wider of their columns unless the scene's is as small as the narrow one.
+/// of an upright container and reaches from wall to wall in y, with room for the front to run, as
+/// in the experiment. The front is half a spacing ahead of the foremost particle. `front_error`
+/// compares with the wider of the two columns measured, or the narrow one if the scene's is as
+/// small.
 class DamFrontMetric final : public MetricRecorder {
  public:
   static std::unique_ptr<DamFrontMetric> forScene(const FrameView& start);

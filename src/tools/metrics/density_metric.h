@@ -1,11 +1,11 @@
-// Compression, by the solver's own kernel and by the cubic spline that all solvers are compared by.
+// Compression, measured with the solver's own kernel and with the reference cubic spline.
 #pragma once
 
 #include "metrics/error_metrics.h"
 
 namespace ice_ice_baby {
 
-/// Means over the frames; the start, which no setting has touched, is left out.
+/// Means over the frames without the initial state, which does not depend on the settings.
 class DensityMetric final : public MetricRecorder {
  public:
   void add(const FrameView& frame) override;

@@ -7,17 +7,17 @@
 
 namespace ice_ice_baby {
 
-/// Both metrics are relative to the energy that the water could turn into motion at the start: its
-/// weight times its height, plus its kinetic energy. That scale belongs to the scene, so settings
-/// can be compared by it; a range that the run itself shows would flatter the setting that shakes.
+/// Both metrics are relative to the energy available at the start: potential energy above the
+/// lowest point plus kinetic energy. This scale depends on the scene alone, so settings can be
+/// compared; a scale taken from the run itself would favour settings that shake.
 ///
-/// `energy_drift`: total at the end less that at the start. Water that splashes loses energy, so
-/// only its sign and its change between settings tell. `energy_rise`: the furthest that the total
-/// was above its own running minimum. Nothing works on the water, so it may not rise: 0 is ideal.
-/// The total is kinetic, potential and elastic: what compressed water gives back is no rise.
+/// `energy_drift`: total at the end minus total at the start. Water that splashes loses energy, so
+/// only its sign and its change between settings matter. `energy_rise`: the largest rise of the
+/// total above its running minimum. No work is done on the water, so the ideal is 0. The total is
+/// the sum of kinetic, potential and elastic energy, so the rebound of compressed water is no rise.
 class EnergyMetric final : public MetricRecorder {
  public:
-  /// Nothing for a scene without water or without any energy to turn into motion.
+  /// Null for a scene without water or without available energy.
   static std::unique_ptr<EnergyMetric> forScene(const FrameView& start);
 
   void add(const FrameView& frame) override;

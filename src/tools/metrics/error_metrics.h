@@ -1,4 +1,4 @@
-// The metrics of a run's error, each only where the scene has it.
+// Error metrics of a run. Each scene has those that apply to it.
 #pragma once
 
 #include <memory>
@@ -9,24 +9,24 @@
 
 namespace ice_ice_baby {
 
-/// One number of the report; its unit is in its name, without one it is a fraction. 0 is ideal,
-/// but for lengths and speeds that are named as such.
+/// One number of the report. The unit is part of the name; without one it is a fraction. The ideal
+/// is 0, except for heights and other plain measurements.
 struct ErrorMetric {
   std::string name;
   double value;
 };
 
-/// Watches a run frame by frame and tells at the end.
+/// Observes a run frame by frame and reports at the end.
 class MetricRecorder {
  public:
   virtual ~MetricRecorder() = default;
-  /// The first call sees the start.
+  /// The first call passes the initial state.
   virtual void add(const FrameView& frame) = 0;
-  /// Appends what the run has shown; nothing when it was too short to show anything.
+  /// Appends the metrics; none if the run was too short.
   virtual void report(std::vector<ErrorMetric>& metrics) const = 0;
 };
 
-/// Every recorder that this scene has a use for. `start` is the state before the first frame.
+/// The recorders that apply to this scene. `start` is the initial state.
 std::vector<std::unique_ptr<MetricRecorder>> metricsFor(const FrameView& start);
 
 }  // namespace ice_ice_baby

@@ -1,49 +1,62 @@
 #include "metrics/escape_meter.h"
 
 #include <algorithm>
+#include <cstdint>
 
+#include "colliders/colliders.h"
 #include "scene/lattice.h"
 
 namespace ice_ice_baby {
 
-namespace {
-
-/// Up to the middle of the walls: rounding may put a particle a hair into one.
-bool inside(const Container& container, const Vec3d& local) {
-  const double wall_m = container.wall_m / 2;
-  const Vec3d half = container.size_m / 2 + Vec3d::Constant(wall_m);
-  const Vec3d centre(0, 0, container.size_m.z() / 2);
-  return ((local - centre).array().abs() < half.array()).all();
-}
-
-}  // namespace
-
-EscapeMeter::EscapeMeter(const Scene& scene) {
-  std::uint32_t first = 0;
-  for (const Block& block : scene.blocks) {
-    const double count = particleCount(block, scene.spacing_m(block), scene.limits.max_particles);
-    const std::uint32_t last = first + static_cast<std::uint32_t>(count);
-    for (const Container& container : scene.containers) {
-      const Vec3d local = container.pose().toLocal(block.centre_m());
-      if (!container.open_top && inside(container, local))
-        held_.push_back({first, last, container});
+/// Which block spawned its particles in which collider.
+class EscapeMeter::Enclosed {
+ public:
+  explicit Enclosed(const Scene& scene) : colliders_(scene, scene.fluid.spacing_m / 2) {
+    std::uint32_t first = 0;
+    for (const Block& block : scene.blocks) {
+      const double count = particleCount(block, scene.spacing_m(block), scene.limits.max_particles);
+      const std::uint32_t last = first + static_cast<std::uint32_t>(count);
+      for (const MovingShape<double>& collider : colliders_) {
+        const Vec3d local = collider.placed.toLocal(block.centre_m());
+        if (!collider.shape.closed() || !collider.shape.holds(local)) continue;
+        held_.push_back({first, last, collider});
+      }
+      first = last;
     }
-    first = last;
   }
-}
+
+  std::size_t countEscaped(const Simulation& simulation,
+                           const std::vector<ParticleSample>& particles) const {
+    std::size_t escaped = 0;
+    for (const Held& held : held_) {
+      const Posed pose = simulation.colliderPose(held.collider.name);
+      const auto out = [&](const ParticleSample& p) {
+        if (p.id < held.first_id || p.id >= held.last_id) return false;
+        return !held.collider.shape.holds(pose.toLocal(Vec3d(p.x, p.y, p.z)));
+      };
+      escaped += static_cast<std::size_t>(std::count_if(particles.begin(), particles.end(), out));
+    }
+    return escaped;
+  }
+
+ private:
+  /// Particles of one block in one collider.
+  struct Held {
+    std::uint32_t first_id, last_id;  ///< last_id is not among them
+    const MovingShape<double>& collider;
+  };
+
+  Colliders<double> colliders_;
+  std::vector<Held> held_;
+};
+
+EscapeMeter::EscapeMeter(const Scene& scene) : enclosed_(std::make_unique<Enclosed>(scene)) {}
+
+EscapeMeter::~EscapeMeter() = default;
 
 std::size_t EscapeMeter::count(const Simulation& simulation,
                                const std::vector<ParticleSample>& particles) const {
-  std::size_t escaped = 0;
-  for (const Held& held : held_) {
-    const Posed pose = simulation.colliderPose(held.container.name);
-    escaped += static_cast<std::size_t>(
-        std::count_if(particles.begin(), particles.end(), [&](const ParticleSample& p) {
-          if (p.id < held.first_id || p.id >= held.last_id) return false;
-          return !inside(held.container, pose.toLocal(Vec3d(p.x, p.y, p.z)));
-        }));
-  }
-  return escaped;
+  return enclosed_->countEscaped(simulation, particles);
 }
 
 std::size_t countEscaped(const Simulation& simulation) {

@@ -1,7 +1,7 @@
-// Water that got out of closed containers.
+// Water that got out of closed colliders.
 #pragma once
 
-#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "ice_ice_baby/simulation.h"
@@ -11,20 +11,17 @@ namespace ice_ice_baby {
 class EscapeMeter {
  public:
   explicit EscapeMeter(const Scene& scene);
+  ~EscapeMeter();
 
-  /// Particles of blocks that began in a closed container and are no longer inside it.
+  /// Particles of blocks that began in a closed collider and are no longer inside it.
   /// @param simulation of the scene
   /// @param particles of it, as Simulation::sample gives them now
   std::size_t count(const Simulation& simulation,
                     const std::vector<ParticleSample>& particles) const;
 
  private:
-  /// Particles that one block spawned in one container.
-  struct Held {
-    std::uint32_t first_id, last_id;  ///< last_id is not among them
-    Container container;
-  };
-  std::vector<Held> held_;
+  class Enclosed;
+  std::unique_ptr<Enclosed> enclosed_;
 };
 
 /// For whoever asks only once.

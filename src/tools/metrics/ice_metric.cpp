@@ -29,8 +29,8 @@ std::vector<Vec3d> positionsOf(const std::vector<ParticleSample>& particles) {
 
 using Point = std::array<float, 3>;
 
-/// Ids of the ends of every spring. Samples of springs tell positions only, but these have the bits
-/// of the samples of particles.
+/// Ids of the ends of every spring. Spring samples contain positions only, which are bit-identical
+/// to those of the particle samples.
 std::vector<std::pair<std::size_t, std::size_t>> joinedIds(const FrameView& frame) {
   std::map<Point, std::size_t> ids;
   for (const ParticleSample& p : frame.particles) ids[{p.x, p.y, p.z}] = p.id;
@@ -60,7 +60,7 @@ std::unique_ptr<IceMetric> IceMetric::forScene(const FrameView& start) {
 
 void IceMetric::add(const FrameView& frame) {
   if (frame.report().strictness < 1.0) {
-    // What froze again is another piece of ice; the metrics tell of the last one.
+    // Ice that froze again is a new piece; only the last one is reported.
     if (!melted_) melted_ = !frozen_.empty();
     return;
   }

@@ -15,7 +15,7 @@ Vec3d meanOf(const std::vector<Vec3d>& points, const std::vector<std::size_t>& m
   return sum / double(members.size());
 }
 
-/// Forest in which each point knows a point of its own group, and roots know themselves.
+/// Union-find forest: each point refers to a point of its group, and roots refer to themselves.
 class Forest {
  public:
   explicit Forest(std::size_t count) : parents_(count) {

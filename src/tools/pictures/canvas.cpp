@@ -101,7 +101,7 @@ void Canvas::drawTriangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
       const float to_q = (u * (r.y - p.y) - v * (r.x - p.x)) / area;
       const float to_r = (v * (q.x - p.x) - u * (q.y - p.y)) / area;
       if (to_q < 0 || to_r < 0 || to_q + to_r > 1) continue;
-      // Across the picture the inverse of the depth is linear.
+      // The inverse of the depth is linear in picture coordinates.
       const float inverse = (1 - to_q - to_r) / p.depth + to_q / q.depth + to_r / r.depth;
       blend(x, y, 1 / inverse, colour, opacity);
     }

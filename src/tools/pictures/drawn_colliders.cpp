@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ice_ice_baby/collider_mesh.h"
+
 namespace ice_ice_baby {
 
 namespace {
@@ -22,80 +24,77 @@ Colour colourOf(const Collider& c, Colour plain) {
 
 Colour dimmed(Colour c, float light) { return {c.red * light, c.green * light, c.blue * light}; }
 
-/// A plate without end shows as far as the scene goes.
-Eigen::Vector3f halfSize(const Scene& scene, const Plane& plane) {
-  if (!plane.infinite()) {
-    return 0.5f *
-           Eigen::Vector3f(float(plane.size_x_m), float(plane.size_y_m), float(plane.thickness_m));
-  }
+using Visit = std::function<void(const Collider&, const ColliderMesh&)>;
+
+/// A ground without end shows as far as the scene goes.
+void forEachDrawn(const Scene& scene, const Visit& visit) {
   const Eigen::Vector3f sizes = boundsOf(scene).sizes();
-  const float half = 0.8f * std::max(sizes.x(), sizes.y());
-  return {half, half, 0.04f * half};
+  MeshDetail detail;
+  detail.ground_size_m = 1.6 * double(std::max(sizes.x(), sizes.y()));
+  detail.ground_depth_m = 0.04 * detail.ground_size_m;
+  detail.round_segments = 64;
+  forEachColliderMesh(scene, detail, visit);
 }
 
-/// Sides of a box that face the eye.
-void drawBox(const Pose<float>& pose, const Eigen::Vector3f& centre, const Eigen::Vector3f& half,
-             Colour colour, float opacity, Canvas& canvas) {
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const float side : {-1.0f, 1.0f}) {
-      const Eigen::Vector3f out = side * Eigen::Vector3f::Unit(axis);
-      const auto corner = [&](float u, float v) {
-        Eigen::Vector3f at = side * half;
-        at[(axis + 1) % 3] = u * half[(axis + 1) % 3];
-        at[(axis + 2) % 3] = v * half[(axis + 2) % 3];
-        return pose.toWorld(centre + at);
-      };
-      const Eigen::Vector3f normal = pose.toWorld(centre + out) - pose.toWorld(centre);
-      if (normal.dot(canvas.eye() - corner(1, 1)) <= 0) continue;
-      const Colour lit = dimmed(colour, 0.8f + 0.2f * normal.dot(Eigen::Vector3f(-0.5f, -0.1f, 1)));
-      canvas.drawTriangle(corner(-1, -1), corner(1, -1), corner(1, 1), lit, opacity);
-      canvas.drawTriangle(corner(-1, -1), corner(1, 1), corner(-1, 1), lit, opacity);
-    }
+Pose<float> poseNow(const Simulation& simulation, const Collider& collider) {
+  return simulation.colliderPose(collider.name).cast<float>();
+}
+
+/// Triangles that face the eye. @param floor_only those that face up at the height of the origin
+void drawTriangles(const ColliderMesh& mesh, const Pose<float>& pose, Colour colour, float opacity,
+                   bool floor_only, Canvas& canvas) {
+  for (const auto& corners : mesh.triangles) {
+    const Vec3d &a = mesh.vertices[corners[0]], &b = mesh.vertices[corners[1]],
+                &c = mesh.vertices[corners[2]];
+    const Vec3d up = (b - a).cross(c - a).normalized();
+    if (floor_only && (up.z() < 0.9 || std::max({a.z(), b.z(), c.z()}) > 0)) continue;
+    const Eigen::Vector3f normal = pose.rotation * up.cast<float>();
+    const Eigen::Vector3f at = pose.toWorld(a.cast<float>());
+    if (normal.dot(canvas.eye() - at) <= 0) continue;
+    const Colour lit = dimmed(colour, 0.8f + 0.2f * normal.dot(Eigen::Vector3f(-0.5f, -0.1f, 1)));
+    canvas.drawTriangle(at, pose.toWorld(b.cast<float>()), pose.toWorld(c.cast<float>()), lit,
+                        opacity);
   }
 }
 
-void drawPlates(const Simulation& simulation, bool opaque, Canvas& canvas) {
-  for (const Plane& plane : simulation.scene().planes) {
-    if ((plane.opacity >= 1.0) != opaque || plane.opacity == 0.0) continue;
-    const Eigen::Vector3f half = halfSize(simulation.scene(), plane);
-    drawBox(simulation.colliderPose(plane.name).cast<float>(), {0, 0, -half.z()}, half,
-            colourOf(plane, kPlain), float(plane.opacity), canvas);
+void drawSolid(const ColliderMesh& mesh, const Pose<float>& pose, Colour colour, float opacity,
+               Canvas& canvas) {
+  const double radius_m = mesh.half_axes_m.x();
+  if (radius_m > 0 && mesh.half_axes_m == Vec3d::Constant(radius_m)) {
+    canvas.drawSphere(pose.position, float(radius_m), colour);
+  } else {
+    drawTriangles(mesh, pose, colour, opacity, false, canvas);
   }
 }
 
-void drawEdges(const Container& c, const Pose<float>& pose, Canvas& canvas) {
-  for (int k = 0; k < 8; ++k) {
-    for (const int axis : {1, 2, 4}) {
-      if (k & axis) continue;
-      canvas.drawLine(pose.toWorld(boxCorner(c, k)), pose.toWorld(boxCorner(c, k | axis)),
-                      mixed(colourOf(c, kPlain), {1, 1, 1}, 0.3f), 0.5f, 2);
-    }
+void drawEdges(const ColliderMesh& mesh, const Pose<float>& pose, Colour colour, float opacity,
+               int wide, Canvas& canvas) {
+  for (const auto& [a, b] : mesh.edges) {
+    canvas.drawLine(pose.toWorld(mesh.vertices[a].cast<float>()),
+                    pose.toWorld(mesh.vertices[b].cast<float>()), colour, opacity, wide);
   }
 }
 
-Eigen::AlignedBox3f boundsOfColliders(const Scene& scene) {
+/// The outline of what has an end. @param plates whether grounds count
+Eigen::AlignedBox3f boundsOfColliders(const Scene& scene, bool plates) {
   Eigen::AlignedBox3f bounds;
-  for (const Container& c : scene.containers) {
+  forEachColliderMesh(scene, {}, [&](const Collider& c, const ColliderMesh& mesh) {
+    if (mesh.infinite || (mesh.look == Look::kGround && !plates)) return;
     const Pose<float> pose = c.pose().cast<float>();
-    for (int k = 0; k < 8; ++k) bounds.extend(pose.toWorld(boxCorner(c, k)));
-  }
-  for (const Sphere& s : scene.spheres) {
-    const Eigen::Vector3f r = Eigen::Vector3f::Constant(float(s.radius_m));
-    bounds.extend(s.position_m.cast<float>() - r).extend(s.position_m.cast<float>() + r);
-  }
+    const auto extend = [&](Index k) {
+      bounds.extend(pose.toWorld(mesh.vertices[k].cast<float>()));
+    };
+    for (const auto& [a, b] : mesh.edges) extend(a), extend(b);
+    if (!mesh.edges.empty()) return;
+    for (Index k = 0; k < mesh.vertices.size(); ++k) extend(k);
+  });
   return bounds;
 }
 
 }  // namespace
 
-Eigen::Vector3f boxCorner(const Container& container, int k) {
-  const Eigen::Vector3f size = container.size_m.cast<float>();
-  const Eigen::Vector3f half(size.x() / 2, size.y() / 2, size.z());
-  return {k & 1 ? half.x() : -half.x(), k & 2 ? half.y() : -half.y(), k & 4 ? half.z() : 0.0f};
-}
-
 Eigen::AlignedBox3f boundsOf(const Scene& scene) {
-  Eigen::AlignedBox3f bounds = boundsOfColliders(scene);
+  Eigen::AlignedBox3f bounds = boundsOfColliders(scene, false);
   for (const Block& block : scene.blocks) {
     bounds.extend(block.min_m.cast<float>()).extend(block.max_m.cast<float>());
   }
@@ -104,38 +103,42 @@ Eigen::AlignedBox3f boundsOf(const Scene& scene) {
 }
 
 Eigen::AlignedBox3f stageOf(const Scene& scene) {
-  if (scene.containers.empty()) return boundsOf(scene);
-  Eigen::AlignedBox3f bounds = boundsOfColliders(scene);
-  for (const Plane& plane : scene.planes) {
-    if (plane.infinite()) continue;
-    const Eigen::Vector3f half = halfSize(scene, plane);
-    const Pose<float> pose = plane.pose().cast<float>();
-    for (int k = 0; k < 8; ++k) {
-      const Eigen::Vector3f side(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 0 : -2);
-      bounds.extend(pose.toWorld(half.cwiseProduct(side)));
-    }
-  }
-  return bounds;
+  bool glass = false;
+  forEachColliderMesh(scene, {}, [&](const Collider&, const ColliderMesh& mesh) {
+    glass = glass || mesh.look == Look::kGlass;
+  });
+  return glass ? boundsOfColliders(scene, true) : boundsOf(scene);
 }
 
 void drawOpaqueColliders(const Simulation& simulation, Canvas& canvas) {
-  for (const Sphere& s : simulation.scene().spheres) {
-    canvas.drawSphere(simulation.colliderPose(s.name).position.cast<float>(), float(s.radius_m),
-                      colourOf(s, kBrass));
-  }
-  drawPlates(simulation, true, canvas);
+  forEachDrawn(simulation.scene(), [&](const Collider& c, const ColliderMesh& mesh) {
+    const bool object = mesh.look == Look::kObject;
+    if (!object && (mesh.look != Look::kGround || c.opacity < 1.0)) return;
+    drawSolid(mesh, poseNow(simulation, c), colourOf(c, object ? kBrass : kPlain), 1.0f, canvas);
+  });
 }
 
 void drawClearColliders(const Simulation& simulation, Canvas& canvas) {
-  for (const Container& c : simulation.scene().containers) {
-    const Pose<float> pose = simulation.colliderPose(c.name).cast<float>();
-    const Eigen::Vector3f half(float(c.size_m.x()) / 2, float(c.size_m.y()) / 2, 0.0f);
-    if (c.heat != ThermalBoundary::kInsulated) {
-      drawBox(pose, Eigen::Vector3f::Zero(), half, colourOf(c, kPlain), 0.6f, canvas);
+  forEachDrawn(simulation.scene(), [&](const Collider& c, const ColliderMesh& mesh) {
+    const Pose<float> pose = poseNow(simulation, c);
+    const Colour colour = colourOf(c, kPlain);
+    if (mesh.look == Look::kGround && c.opacity > 0.0 && c.opacity < 1.0) {
+      drawSolid(mesh, pose, colour, float(c.opacity), canvas);
     }
-    drawEdges(c, pose, canvas);
-  }
-  drawPlates(simulation, false, canvas);
+    if (mesh.look != Look::kGlass) return;
+    if (c.heat != ThermalBoundary::kInsulated) {
+      drawTriangles(mesh, pose, colour, 0.6f, true, canvas);
+    }
+    drawEdges(mesh, pose, mixed(colour, {1, 1, 1}, 0.3f), 0.5f, 2, canvas);
+  });
+}
+
+void drawPlainColliders(const Simulation& simulation, Canvas& canvas) {
+  forEachDrawn(simulation.scene(), [&](const Collider& c, const ColliderMesh& mesh) {
+    const Pose<float> pose = poseNow(simulation, c);
+    if (mesh.look == Look::kObject) drawSolid(mesh, pose, kBrass, 1.0f, canvas);
+    if (mesh.look == Look::kGlass) drawEdges(mesh, pose, {0.35f, 0.38f, 0.42f}, 0.8f, 1, canvas);
+  });
 }
 
 }  // namespace ice_ice_baby

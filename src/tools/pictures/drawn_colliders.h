@@ -1,4 +1,4 @@
-// Containers, plates and balls in pictures of scenes with heat, coloured by their temperature.
+// Colliders in pictures, in scenes with heat coloured by their temperature.
 #pragma once
 
 #include "pictures/canvas.h"
@@ -11,13 +11,13 @@ Eigen::AlignedBox3f boundsOf(const Scene& scene);
 /// Box that holds its colliders but grounds without end; without a container what boundsOf has.
 Eigen::AlignedBox3f stageOf(const Scene& scene);
 
-/// Corner k of the inside of a container: bits for x, y, z.
-Eigen::Vector3f boxCorner(const Container& container, int k);
-
-/// Those that hide what is behind them: of opacity 1, and balls.
+/// Those that hide what is behind them: grounds of opacity 1, and objects.
 void drawOpaqueColliders(const Simulation& simulation, Canvas& canvas);
 
-/// Edges of containers, floors and plates of lower opacity.
+/// Edges of what holds water, its floor where it is not insulated, grounds of lower opacity.
 void drawClearColliders(const Simulation& simulation, Canvas& canvas);
+
+/// Of a scene without heat: objects, and edges of what holds water.
+void drawPlainColliders(const Simulation& simulation, Canvas& canvas);
 
 }  // namespace ice_ice_baby

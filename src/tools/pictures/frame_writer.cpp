@@ -44,30 +44,12 @@ FrameWriter::FrameWriter(std::string folder, const Scene& scene)
   }
 }
 
-/// At a corner of everything that the scene holds, near enough to fill the picture.
+/// Places the camera at a corner of the scene's bounds, near enough to fill the picture.
 void FrameWriter::lookFromAbove(const Scene& scene) {
   const Eigen::AlignedBox3f bounds = boundsOf(scene);
   const Eigen::Vector3f into = Eigen::Vector3f(0.45f, 1.0f, -0.42f).normalized();
   const float size = std::max(0.1f, bounds.diagonal().norm());
   canvas_.look(bounds.center() - 1.65f * size * into, into);
-}
-
-void FrameWriter::drawColliders(const Simulation& simulation) {
-  const Scene& scene = simulation.scene();
-  for (const Sphere& s : scene.spheres) {
-    const Eigen::Vector3f centre = simulation.colliderPose(s.name).position.cast<float>();
-    canvas_.drawSphere(centre, float(s.radius_m), {0.75f, 0.45f, 0.3f});
-  }
-  for (const Container& c : scene.containers) {
-    const Pose<float> pose = simulation.colliderPose(c.name).cast<float>();
-    for (int k = 0; k < 8; ++k) {
-      for (const int axis : {1, 2, 4}) {
-        if (k & axis) continue;
-        canvas_.drawLine(pose.toWorld(boxCorner(c, k)), pose.toWorld(boxCorner(c, k | axis)),
-                         {0.35f, 0.38f, 0.42f}, 0.8f);
-      }
-    }
-  }
 }
 
 void FrameWriter::paintPlainly(const Simulation& simulation) {
@@ -84,7 +66,7 @@ void FrameWriter::paintPlainly(const Simulation& simulation) {
   for (const SpringSample& s : springs_) {
     canvas_.drawLine({s.ax, s.ay, s.az}, {s.bx, s.by, s.bz}, {0.2f, 0.35f, 0.6f}, 0.5f);
   }
-  drawColliders(simulation);
+  drawPlainColliders(simulation, canvas_);
 }
 
 void FrameWriter::write(const Simulation& simulation) {

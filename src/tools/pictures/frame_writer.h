@@ -1,5 +1,5 @@
-// Pictures of a simulation without a display, written as PNG files: shaded spheres, as in rviz;
-// with heat, ice and steam seen through clear water.
+// Writes PNG pictures of a simulation without a display: shaded spheres as in rviz; in thermal
+// scenes, ice and steam seen through clear water.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@ namespace ice_ice_baby {
 
 class FrameWriter {
  public:
-  /// @param folder created when missing; frames are called frame_00000.png and so on, and frames of
-  /// an earlier run are removed, so that the folder shows one run
-  /// @throws InvalidInput when the folder cannot be made
+  /// @param folder created if missing. Frames are named frame_00000.png and so on; frames of an
+  /// earlier run are removed
+  /// @throws InvalidInput if the folder cannot be created
   FrameWriter(std::string folder, const Scene& scene);
 
   /// Draws the next picture. @throws InvalidInput when the file cannot be written
@@ -23,11 +23,10 @@ class FrameWriter {
  private:
   void lookFromAbove(const Scene& scene);
   void paintPlainly(const Simulation& simulation);
-  void drawColliders(const Simulation& simulation);
 
   std::string folder_;
   std::size_t frames_ = 0;
-  int shrink_;  ///< pixels of the canvas along one of the picture
+  int shrink_;  ///< canvas pixels per picture pixel along an axis
   Canvas canvas_;
   std::optional<HeatPainter> heat_;  ///< only of a scene with heat
   std::vector<ParticleSample> particles_;

@@ -16,13 +16,10 @@ constexpr Colour kGround{0.24f, 0.29f, 0.35f};
 constexpr Colour kIceShadow{0.36f, 0.54f, 0.74f};
 constexpr Colour kFoam{0.86f, 0.94f, 1.0f};
 
-bool isSteam(const ParticleSample& p) { return p.density <= kSteamDensity; }
-bool isIce(const ParticleSample& p) { return !isSteam(p) && p.ice_fraction >= 0.5f; }
-
 Colour colourOf(const ParticleSample& p) {
   const float speed = std::sqrt(p.vx * p.vx + p.vy * p.vy + p.vz * p.vz);
   const Colour water = mixed(waterColour(p.temperature_c), kFoam, std::min(0.5f, 0.22f * speed));
-  return mixed(water, kIceColour, p.ice_fraction);
+  return mixed(water, kIceColour, whiteness(p));
 }
 
 float lightOn(const Eigen::Vector3f& normal) {
@@ -89,7 +86,7 @@ void HeatPainter::paint(const Simulation& simulation, const std::vector<Particle
 void HeatPainter::paintIce(const std::vector<ParticleSample>& particles, Canvas& canvas) {
   ice_.clear(canvas);
   for (const ParticleSample& p : particles) {
-    if (isIce(p)) ice_.add(canvas, {p.x, p.y, p.z}, colourOf(p), canvas.depths());
+    if (p.phase == Phase::kIce) ice_.add(canvas, {p.x, p.y, p.z}, colourOf(p), canvas.depths());
   }
   ice_.smooth(canvas);
   for (std::size_t k = 0; k < canvas.pixels().size(); ++k) {
@@ -105,7 +102,7 @@ void HeatPainter::paintIce(const std::vector<ParticleSample>& particles, Canvas&
 void HeatPainter::gatherWater(const std::vector<ParticleSample>& particles, const Canvas& canvas) {
   water_.clear(canvas);
   for (const ParticleSample& p : particles) {
-    if (isSteam(p) || isIce(p)) continue;
+    if (p.phase != Phase::kWater) continue;
     water_.add(canvas, {p.x, p.y, p.z}, colourOf(p), canvas.depths());
   }
   water_.smooth(canvas);
@@ -140,7 +137,7 @@ void HeatPainter::paintAir(const Simulation& simulation,
                            const std::vector<ParticleSample>& particles, Canvas& canvas) const {
   drawClearColliders(simulation, canvas);
   for (const ParticleSample& p : particles) {
-    if (!isSteam(p)) continue;
+    if (p.phase != Phase::kSteam) continue;
     const Projected at = canvas.project({p.x, p.y, p.z});
     const float r = std::max(1.0f, 0.9f * spacing_m_ * at.scale);
     for (int y = int(at.y - r); y <= int(at.y + r); ++y) {

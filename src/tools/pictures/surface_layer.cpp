@@ -11,8 +11,8 @@ namespace ice_ice_baby {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::max();
-/// Radius of a ball, and how far smoothing reaches, in spacings. Depths further apart than the last
-/// belong to different things.
+/// Radius of a sphere and range of the smoothing, in spacings. Depths that differ by more than the
+/// last belong to different objects.
 constexpr float kSphere = 0.72f;
 constexpr float kReach = 1.6f;
 constexpr float kApart = 2.5f;
@@ -34,7 +34,7 @@ void SurfaceLayer::add(const Canvas& canvas, const Eigen::Vector3f& centre, Colo
   if (p.depth < 2 * radius_m) return;
   reach_px_ = std::max(reach_px_, int(kReach * spacing_m_ * p.scale));
   const float r = std::max(0.5f, radius_m * p.scale);
-  // So that balls which overlap are as thick as what they stand for.
+  // Scaled so that overlapping spheres have the thickness of the water they represent.
   const float chord_m = 2 * radius_m / (4.18879f * kSphere * kSphere * kSphere);
   const int right = std::min(canvas.width() - 1, int(p.x + r));
   const int bottom = std::min(canvas.height() - 1, int(p.y + r));
@@ -57,7 +57,7 @@ void SurfaceLayer::add(const Canvas& canvas, const Eigen::Vector3f& centre, Colo
   }
 }
 
-/// A Gauss bell along rows, then along columns, twice.
+/// Gaussian filter along rows, then along columns, twice.
 void SurfaceLayer::smooth(const Canvas& canvas) {
   std::vector<float> bell(std::size_t(reach_px_) + 1);
   for (std::size_t k = 0; k < bell.size(); ++k) {
@@ -97,7 +97,7 @@ Colour SurfaceLayer::colour(std::size_t k) const {
   return {share * sum.red, share * sum.green, share * sum.blue};
 }
 
-/// Depth of a pixel, or `depth` where it belongs to something else.
+/// Depth of a pixel, or `depth` if the pixel belongs to another object.
 float SurfaceLayer::near(const Canvas& canvas, int x, int y, float depth) const {
   if (x < 0 || y < 0 || x >= canvas.width() || y >= canvas.height()) return depth;
   const float there = depths_[std::size_t(y) * std::size_t(canvas.width()) + std::size_t(x)];

@@ -1,4 +1,4 @@
-// The vector loops on every instruction set that this processor has, against plain sums in double.
+// Vector loops on every instruction set of this processor, compared with plain sums in double.
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
 
@@ -27,12 +27,12 @@ struct Sums {
   VectorField<Real> gradients, corrections, differences;
 };
 
-/// Of particle i in a mixture: its share of volume, none for some, and its grip.
+/// Relative volume (0 for some) and grip of particle i in a mixture.
 double shareOf(std::size_t i) { return i % 5 == 0 ? 0.0 : 1.0 + 0.01 * double(i % 7); }
 double gripOf(std::size_t i) { return i % 3 == 0 ? double(kRigidGrip) : 0.5 * double(i % 4); }
 
-/// Every sum as its definition has it, over all pairs. The y coordinate stands for lambda and the
-/// positions for velocities.
+/// Every sum by its definition, over all pairs. The y coordinate serves as lambda, the position as
+/// velocity.
 template <class Kernels, class Real>
 Sums<double> plainSums(const VectorField<Real>& field, bool mixture) {
   const Kernels kernels(kSupport_m);
@@ -120,11 +120,11 @@ void expectPlainSums(KernelPair kernel, bool mixture) {
   expectNear(sums.differences, truth.differences);
 }
 
-/// Takes one instruction set while it lives.
+/// Selects one instruction set during its lifetime.
 class OnTarget {
  public:
   explicit OnTarget(std::int64_t target) { choose(target); }
-  ~OnTarget() { choose(0); }  // 0: what the processor has
+  ~OnTarget() { choose(0); }  // 0: all that the processor has
 
  private:
   static void choose(std::int64_t target) {

@@ -8,7 +8,7 @@
 namespace ice_ice_baby {
 namespace {
 
-/// Writes so many lists, each full of its own number. Returns their places.
+/// Writes lists, each filled with its own number. @return their places
 std::vector<Index> writeLists(ListPages& pages, Index lists, std::size_t length) {
   ListPages::Round round(pages);
   std::vector<Index> places;
@@ -30,7 +30,7 @@ void expectLists(const ListPages& pages, const std::vector<Index>& places, std::
   }
 }
 
-TEST(ListPagesTest, PagesOfLongListsServeShortOnesLater) {
+TEST(ListPagesTest, PagesAreReusedForListsOfAnotherLength) {
   ListPages pages;
   expectLists(pages, writeLists(pages, 3, 50000), 50000);
   expectLists(pages, writeLists(pages, 10000, 6), 6);

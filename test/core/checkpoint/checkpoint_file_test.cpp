@@ -1,4 +1,4 @@
-// Files of checkpoints: whole or as they were, whatever happens while they are written.
+// Checkpoint files: after any interruption the file is whole, the new one or the old one.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -10,7 +10,6 @@
 
 #include "fixtures.h"
 #include "ice_ice_baby/checkpoint.h"
-#include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -33,14 +32,9 @@ class CheckpointFileTest : public testing::Test {
     }
     return names;
   }
-  /// What writing says; "" when it worked.
+  /// Message of writeCheckpoint; "" if it succeeds.
   static std::string refusal(const std::string& path, const std::string& bytes = "bytes") {
-    try {
-      writeCheckpoint(bytes, path);
-    } catch (const InvalidInput& e) {
-      return e.what();
-    }
-    return "";
+    return test::refusalOf([&] { writeCheckpoint(bytes, path); });
   }
 
   const fs::path folder_ = fs::temp_directory_path() / ("checkpoint_" + std::to_string(getpid()));
@@ -67,12 +61,8 @@ TEST_F(CheckpointFileTest, IsReadAsItWasSavedAndReplacesAnOlderOne) {
 TEST_F(CheckpointFileTest, WhatCannotBeReadIsRefusedByName) {
   std::ofstream(path_) << "water";
   for (const std::string& path : {path_, folder_.string(), path_ + ".none"}) {
-    try {
-      loadCheckpoint(path, 1);
-      ADD_FAILURE() << path << " was read";
-    } catch (const InvalidInput& e) {
-      EXPECT_NE(std::string(e.what()).find(path), std::string::npos) << e.what();
-    }
+    const std::string why = test::refusalOf([&] { loadCheckpoint(path, 1); });
+    EXPECT_NE(why.find(path), std::string::npos) << why;
   }
 }
 
@@ -109,7 +99,7 @@ TEST_F(CheckpointFileTest, AFullDiskLeavesTheOldFileAndNothingElse) {
   EXPECT_EQ(files(), std::vector<std::string>{"run.ckpt"});
 }
 
-/// The child only writes: threads of the solver do not survive a fork.
+/// The child only writes, as the threads of the solver do not survive a fork.
 TEST_F(CheckpointFileTest, AKillWhileSavingLeavesAWholeFile) {
   const std::string one = checkpointOf(10), other = checkpointOf(11);
   writeCheckpoint(one, path_);
@@ -134,7 +124,7 @@ TEST_F(CheckpointFileTest, AKillWhileSavingLeavesAWholeFile) {
   EXPECT_EQ(files(), std::vector<std::string>{"run.ckpt"}) << "which the next one takes";
 }
 
-/// Each finds the lock of the other, and what the other has put in place meanwhile.
+/// Each process meets the lock of the other and files that the other has just replaced.
 TEST_F(CheckpointFileTest, TwoProcessesThatSaveToOneFileKeepItWhole) {
   const std::string one(200000, '1'), other(300000, '2');
   const pid_t child = fork();

@@ -1,4 +1,4 @@
-// Checkpoints go on with the bits of the run that saved them.
+// A restored checkpoint continues with the same bits as the run that saved it.
 #include "ice_ice_baby/checkpoint.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using test::splash;
 using test::stories;
 using test::Story;
 
-/// Every frame of the story as a checkpoint, made when all is asked for and before it happens.
+/// A checkpoint before every frame of the story, after the commands for that frame.
 std::vector<std::string> tell(const Story& story, Precision precision) {
   const auto simulation = makeSimulation(story.scene, precision, 1);
   std::vector<std::string> told;
@@ -25,7 +25,7 @@ std::vector<std::string> tell(const Story& story, Precision precision) {
   return told;
 }
 
-/// A checkpoint holds the state and the report, so equal ones are equal in every bit of both.
+/// Checkpoints hold the state and the report, so equal bytes mean that both are equal.
 void expectGoesOn(const Story& story, const std::vector<std::string>& told, int from) {
   const auto simulation = decodeCheckpoint(told[std::size_t(from)], "memory", 2);
   const int end = std::min(from + 8, story.frames);
@@ -39,7 +39,7 @@ void expectGoesOn(const Story& story, const std::vector<std::string>& told, int 
 
 class StoryTest : public testing::TestWithParam<std::tuple<Story, Precision>> {};
 
-TEST_P(StoryTest, GoesOnWithTheBitsOfTheUninterruptedRun) {
+TEST_P(StoryTest, ContinuesWithTheBitsOfTheUninterruptedRun) {
   const auto& [story, precision] = GetParam();
   const std::vector<std::string> told = tell(story, precision);
   for (int from = 0; from < story.frames; from += 3) expectGoesOn(story, told, from);
@@ -53,11 +53,11 @@ INSTANTIATE_TEST_SUITE_P(Of, StoryTest,
                            return std::get<0>(made.param).name + (reference ? "_double" : "_float");
                          });
 
-/// The stories would show nothing of ice that never froze.
-TEST(CheckpointTest, TheStoriesTellOfAllThatAStateMayHold) {
-  StepReport most;
-  int grew = 0, shrank = 0;  // frames in which there was more and less ice than before
-  int swept = 0;             // frames in which ice went further than it is wide in a substep
+/// Ensures that StoryTest meets springs, moving and sleeping ice, steam and jumps.
+TEST(CheckpointTest, TheStoriesCoverEveryPartOfTheState) {
+  StepReport max;
+  int grew = 0, shrank = 0;  // frames in which the amount of ice rose and fell
+  int swept = 0;             // frames in which ice moved by more than its width in a substep
   for (const Story& story : stories()) {
     const auto simulation = makeSimulation(story.scene, Precision::kFloat, 1);
     for (int frame = 0; frame < story.frames; ++frame) {
@@ -68,24 +68,24 @@ TEST(CheckpointTest, TheStoriesTellOfAllThatAStateMayHold) {
       shrank += report.ice_particles < ice;
       const double way_m = report.max_speed_m_s / (60.0 * report.substeps);
       swept += report.ice_bodies > 1 && report.ice_particles == report.particles && way_m > 0.08;
-      most.speed_limited = std::max(most.speed_limited, report.speed_limited);
-      most.springs = std::max(most.springs, report.springs);
-      most.ice_bodies = std::max(most.ice_bodies, report.ice_bodies);
-      most.ice_bodies_asleep = std::max(most.ice_bodies_asleep, report.ice_bodies_asleep);
-      most.steam_particles = std::max(most.steam_particles, report.steam_particles);
+      max.speed_limited = std::max(max.speed_limited, report.speed_limited);
+      max.springs = std::max(max.springs, report.springs);
+      max.ice_bodies = std::max(max.ice_bodies, report.ice_bodies);
+      max.ice_bodies_asleep = std::max(max.ice_bodies_asleep, report.ice_bodies_asleep);
+      max.steam_particles = std::max(max.steam_particles, report.steam_particles);
     }
   }
-  EXPECT_GT(most.springs, 0U);
-  EXPECT_GT(most.ice_bodies, 5U);
-  EXPECT_GT(most.ice_bodies_asleep, 0U);
-  EXPECT_GT(most.steam_particles, 0U);
-  EXPECT_GE(most.speed_limited, 600U) << "nothing was carried along by a collider that jumped";
+  EXPECT_GT(max.springs, 0U);
+  EXPECT_GT(max.ice_bodies, 5U);
+  EXPECT_GT(max.ice_bodies_asleep, 0U);
+  EXPECT_GT(max.steam_particles, 0U);
+  EXPECT_GE(max.speed_limited, 600U) << "nothing was carried along by a collider that jumped";
   EXPECT_GT(swept, 5);
   EXPECT_GT(grew, 5);
   EXPECT_GT(shrank, 5);
 }
 
-TEST(CheckpointTest, WhatSleepsSleepsOnAndWakes) {
+TEST(CheckpointTest, SleepingIceStaysAsleepAndWakes) {
   Scene scene = fullTank(5, true);
   scene.temperature.initial_c = -10.0;
   const auto first = makeSimulation(scene, Precision::kFloat, 1);
@@ -102,7 +102,7 @@ TEST(CheckpointTest, WhatSleepsSleepsOnAndWakes) {
   }
 }
 
-TEST(CheckpointTest, ASceneWithoutParticlesIsOneToo) {
+TEST(CheckpointTest, ASceneWithoutParticlesCanBeSaved) {
   Scene scene = splash();
   scene.blocks.clear();
   const auto empty = makeSimulation(scene, Precision::kFloat, 1);
@@ -111,7 +111,7 @@ TEST(CheckpointTest, ASceneWithoutParticlesIsOneToo) {
             empty->stateHash());
 }
 
-TEST(CheckpointTest, TheHashTellsOfWhatIsNotYetToBeSeen) {
+TEST(CheckpointTest, TheHashCoversCommandsThatHaveNotActedYet) {
   const auto simulation = makeSimulation(test::kettleStory(0.0).scene, Precision::kFloat, 1);
   std::vector<std::uint64_t> hashes{simulation->stateHash()};
   simulation->setGravity({0, 0, -5});
@@ -128,12 +128,13 @@ TEST(CheckpointTest, TheHashTellsOfWhatIsNotYetToBeSeen) {
   EXPECT_EQ(std::unique(hashes.begin(), hashes.end()), hashes.end());
 }
 
-/// A file of another layout must not pass for one of this: the bytes that each list takes.
-TEST(CheckpointTest, ALayoutThatChangesAsksForANewVersion) {
+/// Files of another layout must not be accepted: the sizes of two states.
+TEST(CheckpointTest, AChangedLayoutNeedsANewVersion) {
   const auto sizeOf = [](const Scene& scene) {
     return test::stateOf(*makeSimulation(scene, Precision::kFloat, 1)).size();
   };
-  const char* const cure = "raise kVersion in src/core/checkpoint.cpp, then set this anew";
+  const char* const cure =
+      "raise kVersion in src/core/checkpoint/checkpoint.cpp, then update this size";
   EXPECT_EQ(sizeOf(fullTank(2)), 1366U) << cure;
   EXPECT_EQ(sizeOf(test::hailStory().scene), 73768U) << cure;
 }

@@ -1,4 +1,4 @@
-// Checkpoints that somebody made up, their checksum right: refused by name, or they run.
+// Forged checkpoints with a valid checksum are refused, naming the file, or they run.
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -18,7 +18,7 @@ using test::Story;
 constexpr std::size_t kHeader_bytes = 32;
 constexpr std::size_t kChecksumPlace = 28;
 
-/// What decodeCheckpoint makes of the bytes; null where it refuses them, by name.
+/// Simulation from the bytes; null if they are refused, which must name the file.
 std::unique_ptr<Simulation> loaded(const std::string& bytes) {
   try {
     return decodeCheckpoint(bytes, "some/run.ckpt", 1);
@@ -28,7 +28,7 @@ std::unique_ptr<Simulation> loaded(const std::string& bytes) {
   }
 }
 
-/// With the checksum of what it holds.
+/// The same bytes with a valid checksum.
 std::string resigned(std::string bytes) {
   const auto* first = reinterpret_cast<const Bytef*>(bytes.data());
   const auto checksum = std::uint32_t(crc32_z(crc32_z(0, first, kChecksumPlace),
@@ -47,8 +47,8 @@ double anySize(Random& random, double digits) {
   return random.uniform(0, 1) < 0.5 ? size : -size;
 }
 
-/// One edit anywhere from `first` on: a byte, a number of any size, a small index, or what stands
-/// somewhere else.
+/// Makes one edit at or after `first`: a byte, a number of any magnitude, a small index, or bytes
+/// copied from elsewhere.
 std::string edited(std::string bytes, std::size_t first, Random& random) {
   const auto place = [&] { return std::size_t(random.uniform(double(first), bytes.size() - 8.0)); };
   const std::size_t at = place();
@@ -91,7 +91,7 @@ TEST(ForgedTest, ScenesAreRefusedByNameOrLoad) {
   EXPECT_LT(refused, kForged);
 }
 
-/// Few particles and no tables of walls, so that thousands of edits take seconds.
+/// Few particles and no boundary density, so that thousands of edits take seconds.
 Story small(Story story, double scale) {
   story.scene.fluid.spacing_m *= scale;
   story.scene.fluid.boundary_density = false;
@@ -136,7 +136,7 @@ void expectWhole(const Simulation& simulation, std::size_t particles, int edit) 
 
 class ForgedStateTest : public testing::TestWithParam<Story> {};
 
-/// Behind the checksum stands the reader itself, as bytes may be forged. What it takes must run.
+/// The checksum does not protect against forged bytes. What the reader accepts must run.
 TEST_P(ForgedStateTest, IsRefusedOrRunsAndStaysFinite) {
   const auto original = makeSimulation(GetParam().scene, Precision::kFloat, 1);
   for (int frame = 0; frame < 12; ++frame) original->advanceFrame();

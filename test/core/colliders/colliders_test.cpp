@@ -32,7 +32,7 @@ Container tilted(bool open_top) {
   return box;
 }
 
-/// How far a point in the frame of a container is within its material; 0 outside and inside.
+/// Depth of a point, in the frame of the container, in its walls; 0 if it is not in a wall.
 double depthInWalls(const Container& box, const Vec3d& local) {
   const Vec3d half(box.size_m.x() / 2, box.size_m.y() / 2, 0);
   const Vec3d inner_low = -half + Vec3d::Constant(kRadius_m);
@@ -61,7 +61,7 @@ TYPED_TEST(CollidersTest, NothingLeavesAClosedContainer) {
       at = colliders.respond(at, to, k % 3 == 0);
       const Vec3d local = pose.toLocal(at.template cast<double>());
       ASSERT_LE(depthInWalls(box, local), this->kHair) << local.transpose();
-      ASSERT_TRUE(colliders.containers[0].shape.inside(this->cast(local))) << local.transpose();
+      ASSERT_TRUE(colliders[0].shape.holds(this->cast(local))) << local.transpose();
     }
   }
 }
@@ -82,12 +82,12 @@ TYPED_TEST(CollidersTest, NothingEntersAClosedContainer) {
                              k % 2 == 0);
       const Vec3d local = pose.toLocal(at.template cast<double>());
       ASSERT_LE(depthInWalls(box, local), this->kHair) << local.transpose();
-      ASSERT_FALSE(colliders.containers[0].shape.inside(this->cast(local))) << local.transpose();
+      ASSERT_FALSE(colliders[0].shape.holds(this->cast(local))) << local.transpose();
     }
   }
 }
 
-TYPED_TEST(CollidersTest, AnOpenContainerIsLeftAndEnteredByItsMouthOnly) {
+TYPED_TEST(CollidersTest, AnOpenContainerIsLeftAndEnteredThroughItsTopOnly) {
   const Container box = tilted(true);
   Scene scene;
   scene.containers.push_back(box);
@@ -103,8 +103,8 @@ TYPED_TEST(CollidersTest, AnOpenContainerIsLeftAndEnteredByItsMouthOnly) {
     at = colliders.respond(at, to, false);
     const Vec3d after = pose.toLocal(at.template cast<double>());
     ASSERT_LE(depthInWalls(box, after), this->kHair) << after.transpose();
-    const auto& shape = colliders.containers[0].shape;
-    const bool was_in = shape.inside(this->cast(before)), is_in = shape.inside(this->cast(after));
+    const auto& shape = colliders[0].shape;
+    const bool was_in = shape.holds(this->cast(before)), is_in = shape.holds(this->cast(after));
     if (was_in == is_in) continue;
     const Vec3d outer = was_in ? after : before;
     ASSERT_GE(outer.z(), box.size_m.z() - this->kHair) << "not by the mouth";
@@ -148,7 +148,7 @@ TYPED_TEST(CollidersTest, AMovingContainerCarriesWhatIsInside) {
       const Vec3d local = pose.toLocal(at.template cast<double>());
       ASSERT_LE(depthInWalls(box, local), 10 * this->kHair) << local.transpose();
       if (!open_top) {
-        ASSERT_TRUE(colliders.containers[0].shape.inside(this->cast(local)));
+        ASSERT_TRUE(colliders[0].shape.holds(this->cast(local)));
       }
     }
   }
@@ -237,7 +237,7 @@ TYPED_TEST(CollidersTest, RespondingTwiceChangesNothing) {
     const auto to = this->cast(random.inBox({-2, -2, -1}, {2, 2, 3}));
     const auto once = colliders.respond(from, to, false);
     const auto twice = colliders.respond(once, once, false);
-    // A wedge between two bodies is left to a ten thousandth of a radius, pass by pass.
+    // In a wedge between two colliders passes end at a ten thousandth of a radius.
     ASSERT_LT(double((twice - once).norm()), 1e-3 * kRadius_m + this->kHair);
     ASSERT_GE(double(once.z()), kRadius_m - 1e-3 * kRadius_m) << "below the ground";
   }
@@ -274,8 +274,8 @@ TEST(CollidersPoseTest, MovesOverTheFrameAndRefusesUnknownNames) {
   target.position = {1, 2, 3};
   colliders.moveTo("tank", target);
   colliders.setSubstep(0.25, 0.5);
-  EXPECT_LT((colliders.containers[0].motion.from.position - target.position / 4).norm(), 1e-15);
-  EXPECT_LT((colliders.containers[0].motion.to.position - target.position / 2).norm(), 1e-15);
+  EXPECT_LT((colliders[0].motion.from.position - target.position / 4).norm(), 1e-15);
+  EXPECT_LT((colliders[0].motion.to.position - target.position / 2).norm(), 1e-15);
   EXPECT_EQ(colliders.pose("tank").position.norm(), 0.0);
   colliders.endFrame();
   EXPECT_EQ(colliders.pose("tank").position, target.position);

@@ -12,7 +12,7 @@ using test::Random;
 
 constexpr double kRadius_m = 0.0075;
 
-/// How deep a point is in the deepest of the colliders, each asked by itself.
+/// Largest depth of a point in any one collider.
 template <class Real>
 double deepest(const Colliders<Real>& colliders, const Vec3<Real>& point) {
   ColliderFaces faces;
@@ -93,7 +93,7 @@ TYPED_TEST(SweepTest, NothingPassesBetweenBallsWithoutAGap) {
   Scene scene;
   for (int x = -3; x <= 3; ++x) {
     for (int y = -3; y <= 3; ++y) {
-      // The centres of four are 0.0707 m from the hole between them: 2 mm, and a particle is 15.
+      // The gap between four balls is 2 mm wide: their centres are 0.0707 m from its middle.
       scene.spheres.push_back(ballAt({0.1 * x, 0.1 * y, 0}, 0.069));
     }
   }
@@ -143,7 +143,7 @@ TYPED_TEST(SweepTest, ABallLoweredToTheGroundSqueezesOutWhatLiesUnderIt) {
   EXPECT_LT(fastest, 4 * kRadius_m);
 }
 
-TYPED_TEST(SweepTest, ColliderMotionAtAnySpeedPassesOverNothing) {
+TYPED_TEST(SweepTest, CollidersMovedAtAnySpeedPassOverNoParticle) {
   Random random(54);
   for (int round = 0; round < 300; ++round) {
     Scene scene;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSpacing_m = 0.05;
 constexpr double kSupport_m = 0.1;
-/// Step of the plane table: slopes are constant within one, so differences are taken inside it.
+/// Cell of the table of planes; slopes are constant within a cell, so differences stay inside one.
 constexpr double kCell_m = kSupport_m / 512;
 
 struct Walls {
@@ -52,7 +52,7 @@ double halfSpaceIntegral(double distance) {
   return sum;
 }
 
-/// The gradient of a step much smaller than a table cell, in the frame of the scene.
+/// Compares the gradient with a central difference within a cell of the tables.
 void expectGradient(const Walls& walls, const Vec3d& point, double tolerance) {
   const Vec3d gradient = walls.density.at(point).gradient;
   const double step = 1e-3 * kCell_m;
@@ -92,15 +92,28 @@ TEST(BoundaryDensityTest, TiltedPlaneCountsByItsNormalDistance) {
 
 TEST(BoundaryDensityTest, BoxGradientOnFacesEdgesAndCorners) {
   const Walls walls(tank(false));
-  // 1e-3: a corner's own slope is itself a central difference over 2e-4 h, of a density of order 1.
   for (const double a : kDistances) {
     expectGradient(walls, {-0.2 + a, 0.003, 0.2}, 1e-8);
     expectGradient(walls, {0.2 - a, 0.003, 0.2}, 1e-8);
     for (const double b : kDistances) {
       expectGradient(walls, {-0.2 + a, 0.2 - b, 0.2}, 1e-8);
       for (const double c : kDistances) {
-        expectGradient(walls, {-0.2 + a, -0.2 + b, c}, 1e-3);
-        expectGradient(walls, {0.2 - a, -0.2 + b, 0.4 - c}, 1e-3);
+        expectGradient(walls, {-0.2 + a, -0.2 + b, c}, 1e-8);
+        expectGradient(walls, {0.2 - a, -0.2 + b, 0.4 - c}, 1e-8);
+      }
+    }
+  }
+}
+
+TEST(BoundaryDensityTest, RimGradientIsTheDifferenceOfItsValue) {
+  const Walls walls(tank(true));
+  std::vector<double> across{-0.21};  // over the wall
+  for (const double a : kDistances) across.push_back(-0.2 + a);
+  for (const double y : across) {
+    for (const double b : kDistances) {
+      for (const double z : {0.4 - b, 0.4 + b}) {
+        expectGradient(walls, {0.003, y, z}, 1e-8);
+        expectGradient(walls, {-0.2 + kDistances[2], y, z}, 1e-8);
       }
     }
   }

@@ -41,7 +41,7 @@ TEST(RotationByTest, IsTheExponentialMapAtEveryAngle) {
 }
 
 TYPED_TEST(IceBodiesTest, FreeRotationKeepsAngularMomentumAndEnergy) {
-  // A turn about the axis of middle inertia tumbles; ten turns in ten seconds.
+  // Ten turns in ten seconds; the second, about the axis of middle inertia, tumbles.
   for (const Vec3d& spin : {Vec3d(0, 0, 6.28), Vec3d(0.05, 6.28, 0.02), Vec3d(3, 4, 2)}) {
     IceRig<TypeParam> rig(weightless(), {brick({6, 4, 2}, kSpacing_m, Vec3d::Zero())});
     rig.launch(0, Vec3d::Zero(), spin);
@@ -57,8 +57,8 @@ TYPED_TEST(IceBodiesTest, FreeRotationKeepsAngularMomentumAndEnergy) {
   }
 }
 
-/// Angular momentum that is left after `seconds` of a dumbbell whose ends take their velocity from
-/// x* - x, as the paper's update does.
+/// Share of its angular momentum that a dumbbell keeps if the velocities of its ends are set to
+/// (x* - x) / dt, as in the paper.
 double leftByFirstOrder(double angular_velocity_rad_s, double dt_s, int substeps) {
   Vec3d x(kSpacing_m / 2, 0, 0);
   Vec3d v(0, angular_velocity_rad_s * kSpacing_m / 2, 0);
@@ -81,10 +81,10 @@ TYPED_TEST(IceBodiesTest, ADumbbellKeepsTheSpinThatFirstOrderVelocitiesLose) {
   rig.launch(0, Vec3d::Zero(), {0, 0, spin});
   for (int k = 0; k < 600; ++k) rig.substep(dt);
   EXPECT_NEAR(double(rig.particles.velocity.at(0).norm()), spin * kSpacing_m / 2, 1e-6);
-  EXPECT_NEAR(rig.at(0).x(), -kSpacing_m / 2, 1e-4);  // one turn, to the second order of dt
+  EXPECT_NEAR(rig.at(0).x(), -kSpacing_m / 2, 1e-4);  // one turn, with a second-order error
 }
 
-TYPED_TEST(IceBodiesTest, FreeFallIsThatOfWater) {
+TYPED_TEST(IceBodiesTest, FreeFallIsSymplecticEuler) {
   IceRig<TypeParam> rig(iceScene(), {brick({3, 3, 3}, kSpacing_m, {0, 0, 1})});
   rig.launch(0, {0.4, 0, 0});
   const double dt = 1.0 / 360;
@@ -94,7 +94,7 @@ TYPED_TEST(IceBodiesTest, FreeFallIsThatOfWater) {
   EXPECT_LT((rig.body(0).pose.centre_m - ideal).norm(), 1e-12 + TestFixture::kHair);
 }
 
-TYPED_TEST(IceBodiesTest, StaysRigidAndAsItWas) {
+TYPED_TEST(IceBodiesTest, DistancesBetweenMembersStay) {
   IceRig<TypeParam> rig(iceScene(), {brick({4, 3, 3}, kSpacing_m, {0, 0, 1})});
   const std::vector<Vec3d> before = rig.byId();
   rig.launch(0, {1, 2, 3}, {4, -6, 5});
@@ -215,7 +215,7 @@ TYPED_TEST(IceBodiesTest, TakesTheMomentaOfChangedVelocities) {
   }
   rig.bodies.takeVelocities(rig.particles);
   EXPECT_LT((rig.body(0).velocity_m_s - Vec3d(4, 5, 6)).norm(), 20 * TestFixture::kHair);
-  // Particles' own inertia takes none of it.
+  // Less than all, as single particles do not spin but the body's inertia includes their own.
   const double share = rig.body(0).spin().norm() / spin.norm();
   EXPECT_GT(share, 0.85);
   EXPECT_LT(share, 1.0);

@@ -120,7 +120,7 @@ TYPED_TEST(IceContactsTest, FrictionHoldsBelowItsAngleAndSlidesAboveIt) {
   }
 }
 
-TYPED_TEST(IceContactsTest, AGrainOfIceSlidesOrLiesAndDoesNotRoll) {
+TYPED_TEST(IceContactsTest, ASingleParticleOfIceSlidesOrStaysAndDoesNotRoll) {
   for (const double friction : {0.1, 0.5}) {
     Scene scene = onGround(friction, 10);
     scene.ice.sleep_speed_m_s = 0;
@@ -159,7 +159,7 @@ TYPED_TEST(IceContactsTest, AStackRestsAndWakesTogether) {
     const double z = 1.5 * kSpacing_m + k * (2 * kSpacing_m + gap_m);
     EXPECT_NEAR(rig.body(k).pose.centre_m.z(), z, 0.01 * kSpacing_m);
   }
-  // Without the lowest one the others have nothing to sleep on.
+  // Without the lowest slab the others are not supported.
   for (Index id = 0; id < 75; ++id) rig.group_of_id[id] = 3;
   for (Index id = 0; id < 25; ++id) rig.group_of_id[id] = 4;
   rig.assign();
@@ -167,8 +167,8 @@ TYPED_TEST(IceContactsTest, AStackRestsAndWakesTogether) {
   EXPECT_FALSE(rig.body(1).asleep);
 }
 
-TYPED_TEST(IceContactsTest, ALeaningPairSleepsAsOneOrNotAtAll) {
-  // A brick on another: had the upper one slept first, its weight would be off the lower one.
+TYPED_TEST(IceContactsTest, TwoStackedBricksFallAsleepTogether) {
+  // If the upper brick slept first, its weight would no longer press on the lower one.
   Scene scene = onGround(0.3);
   const double gap_m = kSpacing_m / std::cbrt(scene.ice.density_ratio);
   IceRig<TypeParam> rig(scene, {brick({4, 4, 2}, kSpacing_m, {0, 0, kSpacing_m}),
@@ -248,7 +248,7 @@ TYPED_TEST(IceContactsTest, CollisionsKeepMomentaAndMakeNoEnergy) {
   EXPECT_LT(rig.body(0).velocity_m_s.x(), rig.body(1).velocity_m_s.x()) << "they did not meet";
 }
 
-TYPED_TEST(IceContactsTest, OverlapsPartGently) {
+TYPED_TEST(IceContactsTest, OverlappingBodiesPartSlowly) {
   Scene scene = iceScene();
   scene.gravity_m_s2.setZero();
   IceRig<TypeParam> rig(scene, {brick({3, 3, 3}, kSpacing_m, {-0.07, 0, 0}),

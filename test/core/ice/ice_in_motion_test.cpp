@@ -1,4 +1,4 @@
-// Freezing and melting in the whole simulation: what is kept while water turns to ice and back.
+// Freezing and melting in whole scenes: momenta, volume and energy.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,12 +29,12 @@ Motion3 motionOf(const Particles<Real>& particles, double mass) {
   return motion;
 }
 
-/// Two blobs of water at freezing point that fly into each other, off centre, in empty space.
+/// Two balls of water at the freezing point that collide off centre in empty space.
 Scene splashInSpace() {
   Scene scene;
   scene.gravity_m_s2.setZero();
   scene.fluid.spacing_m = 0.02;
-  scene.solver.viscosity_1_s = 0.0;  // whose shear takes angular momentum from water itself
+  scene.solver.viscosity_1_s = 0.0;  // its shear would take angular momentum away
   scene.thermal.enabled = true;
   scene.thermal.air_heat_transfer_w_m2k = 0.0;
   Block one;
@@ -82,7 +82,7 @@ TEST(IceInMotionTest, FreezingInMidSplashKeepsBothMomentaAndMakesNothingFaster) 
   EXPECT_LE(after.fastest, before.fastest);
 }
 
-/// A narrow basin of water at 5 degrees, in no air.
+/// A narrow basin of water at 5 degrees; the air takes no heat.
 Scene basin() {
   Scene scene;
   scene.fluid.spacing_m = 0.02;
@@ -113,7 +113,7 @@ void run(Simulator<Real>& simulator, double seconds) {
   for (int frame = 0; frame < frames; ++frame) simulator.advanceFrame();
 }
 
-/// Gives every particle so much heat within `seconds`, and waits as long again.
+/// Heats every particle by `j_kg` within `seconds`, then runs as long again.
 template <class Real>
 void heatAll(Simulator<Real>& simulator, double j_kg, double seconds) {
   const Scene& scene = simulator.scene();

@@ -1,4 +1,4 @@
-// Bodies of ice alone, without water: the loop that the tests of bodies and contacts run.
+// Bodies of ice without water: the loop that tests of bodies and contacts run.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace ice_ice_baby::test {
 
-/// Scene without blocks at a spacing of 5 cm: what holds for a body is told by its colliders.
+/// Scene without blocks or colliders, at a spacing of 5 cm.
 inline Scene iceScene(double friction = 0.05) {
   Scene scene;
   scene.fluid.spacing_m = 0.05;
@@ -35,7 +35,7 @@ inline std::vector<Vec3d> brick(const Vec3d& size, double spacing_m, const Vec3d
 
 template <class Real>
 struct IceRig {
-  /// @param groups one body each
+  /// @param groups points of each body
   IceRig(const Scene& rig_scene, const std::vector<std::vector<Vec3d>>& groups)
       : scene(rig_scene),
         colliders(scene, scene.fluid.spacing_m / 2),
@@ -53,7 +53,7 @@ struct IceRig {
     assign();
   }
 
-  /// Labels of particles at their places.
+  /// Group of each particle, in the order of the particles.
   std::vector<Index> labels() const {
     std::vector<Index> label(particles.size());
     for (std::size_t i = 0; i < label.size(); ++i) label[i] = group_of_id[particles.id[i]];
@@ -93,7 +93,7 @@ struct IceRig {
     bodies.updateSleep({}, dt_s);
     time_s += dt_s;
   }
-  /// Frames of 60 Hz.
+  /// Advances by frames at 60 Hz.
   void run(double seconds, int substeps = 6) {
     const long frames = std::lround(seconds * 60);
     for (long k = 0; k < frames * substeps; ++k) substep(1.0 / (60 * substeps));
@@ -112,16 +112,15 @@ struct IceRig {
     return points;
   }
   double fastest() const {
-    double most = 0.0;
+    double max_m_s = 0.0;
     for (std::size_t i = 0; i < particles.size(); ++i) {
-      most = std::max(most, double(particles.velocity.at(i).norm()));
+      max_m_s = std::max(max_m_s, double(particles.velocity.at(i).norm()));
     }
-    return most;
+    return max_m_s;
   }
   double lowest() const {
     return double(*std::min_element(particles.position.z.begin(), particles.position.z.end()));
   }
-  /// Linear momentum, and angular momentum about the origin with the spins of particles.
   Vec3d momentum() const {
     Vec3d sum = Vec3d::Zero();
     for (Index b = 0; b < bodies.count(); ++b) {
@@ -129,6 +128,7 @@ struct IceRig {
     }
     return sum;
   }
+  /// About the origin, including the spins of bodies of one particle.
   Vec3d angularMomentum() const {
     Vec3d sum = Vec3d::Zero();
     for (Index b = 0; b < bodies.count(); ++b) {

@@ -1,4 +1,4 @@
-// Bodies of ice that would fly through each other within a substep.
+// Bodies of ice fast enough to pass through each other within a substep.
 #include <gtest/gtest.h>
 
 #include "ice/ice_rig.h"
@@ -28,7 +28,8 @@ TYPED_TEST_SUITE(IceSweepTest, Reals);
 TYPED_TEST(IceSweepTest, BodiesMeetHeadOnAtAnySpeedAndDoNotPass) {
   for (const Vec3d& size : {Vec3d(1, 1, 1), Vec3d(1, 4, 4), Vec3d(3, 3, 3)}) {
     for (const double speed : {1.0, 10.0, 30.0, 100.0, 300.0, 1000.0}) {
-      const double aside = size.y() > 1 ? 0.003 : 0.0;  // single ones would roll past each other
+      const double aside =
+          size.y() > 1 ? 0.003 : 0.0;  // single particles would roll past each other
       IceRig<TypeParam> rig(freeSpace(), {brick(size, kSpacing_m, {-0.7, aside, 0}),
                                           brick(size, kSpacing_m, {0.7, 0, 0})});
       rig.launch(0, {speed, 0, 0});
@@ -40,7 +41,7 @@ TYPED_TEST(IceSweepTest, BodiesMeetHeadOnAtAnySpeedAndDoNotPass) {
         ASSERT_GT(apart, 0.0) << speed;
         ASSERT_LT(rig.momentum().norm(), 1e-9 * rig.body(0).mass_kg * speed);
         ASSERT_LE(rig.energy(), before * (1 + 1e-9));
-        if (rig.energy() < 0.9 * before) break;  // what is left slides and rolls
+        if (rig.energy() < 0.9 * before) break;  // from here on they slide and roll
       }
       EXPECT_LT(rig.energy(), 0.9 * before) << "they met, without restitution";
     }
@@ -51,7 +52,7 @@ TYPED_TEST(IceSweepTest, CollisionsOffTheCentreKeepBothMomentaAndMakeNoEnergy) {
   Random random(12345);
   int met = 0, free = 0;
   for (int k = 0; k < 1000; ++k) {
-    // One by one, as compilers differ in the order of arguments.
+    // One statement each, as the order in which arguments are evaluated is unspecified.
     const Vec3d turn_a = 180 * random.direction();
     const Vec3d turn_b = 180 * random.direction();
     const Vec3d beside{0.5, random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
@@ -65,11 +66,11 @@ TYPED_TEST(IceSweepTest, CollisionsOffTheCentreKeepBothMomentaAndMakeNoEnergy) {
     for (int step = 0; step < 40; ++step) rig.substep(1.0 / 360);
     const double scale = rig.body(0).mass_kg * speed;
     EXPECT_LT((rig.momentum() - linear).norm(), 1e-9 * scale);
-    if (rig.bodies.limited() == 0) {  // else spin was taken away, a radian a substep is the most
+    if (rig.bodies.limited() == 0) {  // else the limit of a radian a substep took spin away
       EXPECT_LT((rig.angularMomentum() - angular).norm(), 1e-3 * scale) << speed;
       ++free;
     }
-    // Five of these bring the members so deep into each other that parting them would throw them.
+    // Five of these overlap so deeply that separating them at once would add energy.
     EXPECT_LE(rig.energy(), before * 1.001) << speed;
     met += rig.energy() < 0.95 * before;
   }
@@ -97,7 +98,7 @@ TYPED_TEST(IceSweepTest, AFastBodyWakesASleeperInsteadOfPassingIt) {
   EXPECT_GT(rig.body(0).velocity_m_s.x(), 10);
 }
 
-TYPED_TEST(IceSweepTest, AVolleyInAClosedTankStaysInsideAndFinite) {
+TYPED_TEST(IceSweepTest, FastBodiesInAClosedTankStayInsideAndFinite) {
   Scene scene = freeSpace();
   scene.containers.push_back(test::tankOf({2, 2, 2}, false));
   Random random(92);

@@ -145,7 +145,7 @@ TEST(SpringsTest, SheetSpringsSurviveMeltingAndKeepTheirLengthWhenWarm) {
   }
 }
 
-TEST(SpringsTest, ElasticIceHoldsHalfOfItsPullTimesItsStretch) {
+TEST(SpringsTest, EnergyOfElasticIceIsHalfTheForceTimesTheStretch) {
   constexpr double kCompliance_m_n = 2e-4, kDt_s = 0.002;
   Cloud<double> cloud({Vec3d::Zero(), Vec3d(0.04, 0, 0)}, 0.1);
   Springs<double> springs{SpringParams()};
@@ -159,7 +159,7 @@ TEST(SpringsTest, ElasticIceHoldsHalfOfItsPullTimesItsStretch) {
               1e-9);
 }
 
-TEST(SpringsTest, RigidOnesHoldWhatTheirCorrectionsLeave) {
+TEST(SpringsTest, EnergyOfRigidSpringsIsThatOfTheStretchLeftOver) {
   constexpr double kParticle_kg = 0.1, kDt_s = 0.002;
   Cloud<double> cloud({Vec3d::Zero(), Vec3d(0.04, 0, 0)}, 0.1);
   Springs<double> springs{SpringParams()};
@@ -169,7 +169,7 @@ TEST(SpringsTest, RigidOnesHoldWhatTheirCorrectionsLeave) {
   x.x[1] = 0.05;
   springs.correct(x, 1.0, kParticle_kg, kDt_s, true);
   EXPECT_NEAR(springs.elasticEnergy_j(x, kDt_s), 0.0, 1e-12) << "nothing is left";
-  x.x[1] += 0.002;  // what others undo
+  x.x[1] += 0.002;  // another constraint undoes some of it
   springs.correct(x, 1.0, kParticle_kg, kDt_s, false);
   x.x[1] += 0.002;
   const double pull_n = kParticle_kg * (0.01 + 0.002) / 2 / (kDt_s * kDt_s);
@@ -222,7 +222,7 @@ struct ElasticPair {
     return (x.at(1) - x.at(0)).norm();
   }
 
-  /// Pulls with a force on each end until nothing moves.
+  /// Pulls with a force on each end until the length is constant.
   void pull(double newton, double compliance_m_n, double dt_s, int iterations) {
     VectorField<double>& x = cloud.particles.predicted;
     const double left = x.x[0] < x.x[1] ? -1.0 : 1.0;

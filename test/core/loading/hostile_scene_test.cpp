@@ -1,4 +1,4 @@
-// Scene files that mean harm: bombs, pipes, links, names; each is refused in a line that says why.
+// Hostile scene files: alias bombs, pipes, links, names; each is refused in one line that says why.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "base/machine_memory.h"
-#include "ice_ice_baby/errors.h"
+#include "fixtures.h"
 #include "ice_ice_baby/scene_loader.h"
 #include "loading/memory_need.h"
 
@@ -17,16 +17,7 @@ namespace ice_ice_baby {
 namespace {
 
 namespace fs = std::filesystem;
-
-template <class Work>
-std::string refusalOf(const Work& work) {
-  try {
-    work();
-  } catch (const InvalidInput& e) {
-    return e.what();
-  }
-  return "";
-}
+using test::refusalOf;
 
 void expectWords(const std::string& message, const std::vector<std::string>& words) {
   EXPECT_NE(message, "") << "was accepted";
@@ -42,7 +33,7 @@ void expectRefusal(const std::string& yaml, const std::vector<std::string>& word
   expectWords(refusalOf([&] { parseScene(yaml, overrides, "origin"); }), words);
 }
 
-TEST(HostileYaml, AKeyThatStandsTwiceIsRefusedWithBothLines) {
+TEST(HostileYaml, ADuplicateKeyIsRefusedWithBothLines) {
   expectRefusal("name: a\nfluid: {spacing_m: 1}\nname: b\n",
                 {"origin", "key name stands twice", "line 1 and in line 3", "remove one"});
   expectRefusal("fluid:\n  spacing_m: 1\n  spacing_m: 2\n", {"spacing_m", "line 2 and in line 3"});
@@ -64,7 +55,7 @@ TEST(HostileYaml, AnAliasCountsAsAllThatItStandsFor) {
   EXPECT_EQ(scene.spheres[1].radius_m, 3.0);
 }
 
-TEST(HostileYaml, IsNotFollowedIntoTheDeep) {
+TEST(HostileYaml, NestingIsLimited) {
   for (const char open : {'[', '{'}) {
     expectRefusal("a: " + std::string(200000, open), {"line 1", "deeper than 20"});
   }
@@ -76,14 +67,14 @@ TEST(HostileYaml, IsNotFollowedIntoTheDeep) {
   expectRefusal("name: x", {"a.a.a", "is not a key"}, {{key, "1"}});
 }
 
-TEST(HostileYaml, IsOneDocumentOfAMebibyte) {
+TEST(HostileYaml, IsOneDocumentOfAtMostAMebibyte) {
   expectRefusal("name: a\n---\nname: b\n", {"more than one YAML document"});
   expectRefusal("name: x\n#" + std::string(1 << 20, ' '), {"1048585 bytes", "more than 1048576"});
   expectRefusal("name: x", {"description", "more than 1048576"},
                 {{"description", std::string((1 << 20) + 1, 'x')}});
 }
 
-TEST(HostileYaml, TextsAreShortAndPrintable) {
+TEST(HostileYaml, TextsMustBeShortAndPrintable) {
   expectRefusal("description: " + std::string(1001, 'x'),
                 {"description = xxx", "1001 bytes", "at most 1000"});
   expectRefusal("name: \"a\\eb\"", {"name = a\\x1bb", "control character, code 27"});
@@ -92,7 +83,7 @@ TEST(HostileYaml, TextsAreShortAndPrintable) {
   EXPECT_EQ(parseScene("name: Gefäß").name, "Gefäß");
 }
 
-TEST(HostileYaml, CollidersHaveNamesThatTfTakes) {
+TEST(HostileYaml, NamesOfCollidersMustBeTfFrames) {
   for (const char* bad : {"/tank", "tank/", "my tank", "Gefäß"}) {
     const std::string yaml = std::string("spheres: [{name: ") + bad + "}]";
     expectRefusal(yaml, {"name of a collider = \"", "tf frame", "1 to 255"});
@@ -104,25 +95,27 @@ TEST(HostileYaml, CollidersHaveNamesThatTfTakes) {
             "robot/arm_1-b.c");
 }
 
-TEST(HostileScene, IsCountedBeforeMemoryIsTakenAndAtLittleCost) {
+TEST(HostileScene, TooManyParticlesAreCountedNotSpawned) {
   const std::string box = "{min_m: [-100, -100, -100], max_m: [100, 100, 100]}";
   expectRefusal("fluid: {spacing_m: 1e-4}\nblocks: [" + box + "]",
                 {"8000000000000000000 particles", "limits.max_particles = 2e+06", "spacing_m"});
-  // A thousand times a hundred million rows of one point: minutes, were each of them walked.
+  // The first has too many points to count one by one; the second, too many rows of one point.
+  expectRefusal("fluid: {spacing_m: 1e-4}\nblocks: [{shape: sphere, " + box.substr(1) + "]",
+                {"particles, more than limits.max_particles"});
   expectRefusal(
       "fluid: {spacing_m: 1e-4}\nblocks: [{shape: sphere, max_m: [1e-4, 1, 1], "
       "copies: [1000, 1, 1]}]",
       {"particles, more than limits.max_particles"});
   expectRefusal("blocks: [{max_m: [1, 1, 1]}]", {"limits.max_particles = 10"},
                 {{"limits.max_particles", "10"}});
-  // A ball holds fewer than its box, and is counted to the last particle where that decides.
+  // A ball holds fewer particles than its box, and is counted exactly where that decides.
   const std::string ball = "fluid: {spacing_m: 0.01}\nblocks: [{shape: sphere, max_m: [1, 1, 1]}]";
   EXPECT_LT(particleCount(parseScene(ball, {{"limits.max_particles", "6e5"}})), 530000);
   expectRefusal(ball, {"more than limits.max_particles = 5e+05"},
                 {{"limits.max_particles", "5e5"}});
 }
 
-TEST(HostileScene, FitsTheMemoryOfTheMachine) {
+TEST(HostileScene, MustFitTheMemoryOfTheMachine) {
   const Scene scene = parseScene("fluid: {spacing_m: 0.01}\nblocks: [{max_m: [1, 1, 1]}]");
   EXPECT_NO_THROW(requireMemory(scene, 200e6));
   expectWords(refusalOf([&] { requireMemory(scene, 199e6); }),
@@ -130,13 +123,13 @@ TEST(HostileScene, FitsTheMemoryOfTheMachine) {
   EXPECT_GT(machineMemory_bytes(), 1e8);
 }
 
-TEST(HostileScene, AFrameEnds) {
+TEST(HostileScene, SweepsOfAFrameAreLimited) {
   expectRefusal("solver: {substeps: 1000, iterations: 1000}",
                 {"solver.substeps x solver.iterations = 1000000", "[0, 10000]", "lower"});
   EXPECT_EQ(parseScene("solver: {substeps: 1000, iterations: 10}").solver.iterations, 10);
 }
 
-/// A scene folder of its own, in force until the end of the test.
+/// Each test gets an own scene folder, which ICE_ICE_BABY_SCENES names while it runs.
 class HostileFolder : public testing::Test {
  protected:
   HostileFolder()
@@ -170,11 +163,18 @@ TEST_F(HostileFolder, PipesDevicesAndFoldersAreRefusedUnread) {
   fs::create_symlink("/dev/zero", folder_ / "zero.yaml");
   expectRefused(folder_ / "zero.yaml", {"zero.yaml", "device or a pipe"});
   expectRefused(folder_, {"is a folder"});
-  expectRefused(write("huge.yaml", std::string((1 << 20) + 1, '#')), {"larger than 1 MiB"});
+  fs::create_directories(folder_ / "folder.yaml");
+  expectRefused(folder_ / "folder.yaml", {"is a folder"});
+  const fs::path huge = write("huge.yaml");
+  for (const std::uintmax_t bytes : {(std::uintmax_t(1) << 20) + 1, std::uintmax_t(1) << 40}) {
+    std::error_code no_sparse_files;
+    fs::resize_file(huge, bytes, no_sparse_files);
+    expectRefused(huge, {"larger than 1 MiB"});
+  }
   expectRefused(folder_ / ("a\nb" + std::string(5000, 'x') + ".yaml"), {"no scene file"});
 }
 
-TEST_F(HostileFolder, ANameNeverLeavesTheSceneFolder) {
+TEST_F(HostileFolder, ANameNeverLeadsOutOfTheSceneFolder) {
   write("scenes/inside.yaml");
   const fs::path secret = write("secret.yaml", "name: secret\n");
   fs::create_symlink(secret, scenes() / "link.yaml");
@@ -189,7 +189,7 @@ TEST_F(HostileFolder, ANameNeverLeavesTheSceneFolder) {
   }
 }
 
-TEST_F(HostileFolder, ListsNothingThatWouldBeReadAsAPath) {
+TEST_F(HostileFolder, ListsOnlyWhatLoadsByName) {
   write("scenes/a.yaml");
   write("scenes/b.yaml.yaml");
   fs::create_directories(scenes() / "c.yaml");

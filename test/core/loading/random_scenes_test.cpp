@@ -1,5 +1,5 @@
-// Scenes drawn at random from the ranges that params.h and scene_keys.h describe: whatever is not
-// refused keeps every particle, finite and in its container, with the same bits for any threads.
+// Scenes drawn at random from the ranges in params.h and scene_keys.h. Those that are not refused
+// keep every particle finite and in its container, with the same bits on one thread and on two.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr int kScenes = 150;
 constexpr int kFrames = 3;
 constexpr double kShareDrawn = 0.25;  ///< of the keys; the others keep their default
 
-/// Visitor of describe(): draws some keys anew, and writes down which, to show when a test fails.
+/// Visitor of describe(): sets some keys at random and records them for the message of a failure.
 class Draw {
  public:
   Draw(test::Random& random, std::ostream& drawn, std::string path = "")
@@ -38,7 +38,7 @@ class Draw {
   }
   void operator()(const char* name, Mat3<double>& value, Range range, const char*) {
     if (!draws()) return;
-    for (double& part : value.reshaped()) part = number(range);
+    for (Eigen::Index k = 0; k < value.size(); ++k) value(k) = number(range);
     note(name, value);
   }
   void operator()(const char* name, bool& value, const char*) {
@@ -68,13 +68,13 @@ class Draw {
  private:
   bool draws() { return random_.uniform(0, 1) < kShareDrawn; }
 
-  /// An end of the range, or any size in it.
+  /// An end of the range, or a number of any magnitude in it.
   double number(Range range) {
     const double choice = random_.uniform(0, 1);
     if (choice < 0.1) return range.min;
     if (choice < 0.2) return range.max;
-    const double most = std::max(std::abs(range.min), std::abs(range.max));
-    const double size = most * std::pow(10.0, random_.uniform(-6.0, 0.0));
+    const double max = std::max(std::abs(range.min), std::abs(range.max));
+    const double size = max * std::pow(10.0, random_.uniform(-6.0, 0.0));
     const double drawn = range.min < 0.0 && choice < 0.6 ? -size : size;
     return std::clamp(drawn, range.min, range.max);
   }
@@ -89,7 +89,7 @@ class Draw {
   std::string path_;
 };
 
-/// Puts back what would only make the scene large or leave it empty.
+/// Resets the keys that would only make the scene large or empty.
 void keepSmall(Scene& scene, test::Random& random) {
   scene.duration_s = 1.0;
   scene.limits = LimitParams();
@@ -106,7 +106,7 @@ void keepSmall(Scene& scene, test::Random& random) {
     tank.size_m = d * random.inBox(Vec3d::Constant(8), Vec3d::Constant(12));
     tank.wall_m = d * random.uniform(0.5, 3.0);
   }
-  // Side by side and below the spheres, as what overlaps is refused.
+  // Side by side and below the spheres, as overlaps are refused.
   double from_x = -3.0;
   for (Block& block : scene.blocks) {
     const Vec3d low = d * random.inBox(Vec3d(from_x, -3, 1), Vec3d(from_x + 0.4, -1, 2));
@@ -143,13 +143,11 @@ Drawn drawScene(std::uint64_t seed) {
 }
 
 bool finite(const StepReport& r) {
-  for (const double value :
-       {r.time_s, r.temperature_c, r.strictness, r.density_error_mean, r.density_error_max,
-        r.kinetic_energy_j, r.potential_energy_j, r.max_speed_m_s, r.rms_speed_m_s, r.mean_celsius,
-        r.enthalpy_j, r.thermal_speedup}) {
-    if (!std::isfinite(value)) return false;
-  }
-  return true;
+  bool finite = true;
+  describe(r, [&](const char*, const auto& value, const char*) {
+    finite = finite && std::isfinite(double(value));
+  });
+  return finite;
 }
 
 void expectConsistent(const Simulation& simulation, std::uint64_t frame) {
@@ -176,7 +174,7 @@ void expectConsistent(const Simulation& simulation, std::uint64_t frame) {
   }
 }
 
-/// @return whether the scene ran; one that is refused must be so before anything is made
+/// @return whether the scene ran; false if makeSimulation refused it
 bool expectRuns(const Scene& scene) {
   std::unique_ptr<Simulation> one, two;
   try {

@@ -1,9 +1,7 @@
-// Where water may begin: not in a collider, not in other water, not on both sides of a closed wall.
+// Where water may start: not in a collider, not in other water, not on both sides of a closed wall.
 #include <gtest/gtest.h>
 
 #include "fixtures.h"
-#include "ice_ice_baby/errors.h"
-#include "ice_ice_baby/scene_loader.h"
 #include "simulation/simulator.h"
 
 namespace ice_ice_baby {
@@ -14,12 +12,7 @@ using test::blockOf;
 using test::Random;
 
 std::string refusal(const Scene& scene) {
-  try {
-    validate(scene);
-  } catch (const InvalidInput& e) {
-    return e.what();
-  }
-  return "";
+  return test::refusalOf([&] { validate(scene); });
 }
 
 /// Sixty-four particles in the middle of a tank.
@@ -31,7 +24,7 @@ Scene tankWithWater() {
   return scene;
 }
 
-TEST(SpawnTest, WaterInColliderIsRefusedByTheKeysOfBoth) {
+TEST(SpawnTest, WaterInAColliderIsRefusedByTheKeysOfBoth) {
   struct Case {
     std::function<void(Scene&)> change;
     const char* words;
@@ -71,7 +64,7 @@ TEST(SpawnTest, WaterInColliderIsRefusedByTheKeysOfBoth) {
   }
 }
 
-TEST(SpawnTest, BlocksThatShareRoomAreRefusedByTheKeysOfBoth) {
+TEST(SpawnTest, BlocksThatOverlapAreRefusedByTheKeysOfBoth) {
   const auto with = [](const Vec3d& by, const Vec3d& rpy_deg = Vec3d::Zero()) {
     Scene scene = tankWithWater();
     Block other = scene.blocks[0];
@@ -115,20 +108,20 @@ TEST(SpawnTest, BlocksInDisjointBoxesNeverOverlapHoweverTheyAreTurned) {
   }
 }
 
-TEST(SpawnTest, AThousandCopiesInOnePlaceAreRefusedAtOnce) {
+TEST(SpawnTest, AThousandCopiesInOnePlaceAreRefused) {
   Scene scene = tankWithWater();
   scene.blocks.assign(1000, scene.blocks[0]);
   EXPECT_EQ(refusal(scene).find("blocks.1 overlaps blocks.0"), 0u);
 }
 
-TEST(SpawnTest, WaterBesideOrAboveAClosedBoxIsAnObstacleCourseNotAMistake) {
+TEST(SpawnTest, WaterBesideOrAboveAClosedTankIsAllowed) {
   Scene scene = tankWithWater();
   scene.blocks.push_back(blockOf({1, 1, 0}, {1.2, 1.2, 0.2}));
   scene.blocks.push_back(blockOf({-0.1, -0.1, 1.1}, {0.1, 0.1, 1.3}));
   EXPECT_EQ(refusal(scene), "");
 }
 
-TEST(SpawnTest, WhatOnlyTouchesIsPushedOutBeforeTheFirstFrameAndGainsNoSpeed) {
+TEST(SpawnTest, WhatOverlapsSlightlyIsPushedOutBeforeTheFirstFrameAndGainsNoSpeed) {
   Scene scene = tankWithWater();
   scene.gravity_m_s2.setZero();
   scene.spheres.push_back(ball({0, 0, 0.49}, 0.1));  // 1 cm into the topmost layer of centres
@@ -142,7 +135,7 @@ TEST(SpawnTest, WhatOnlyTouchesIsPushedOutBeforeTheFirstFrameAndGainsNoSpeed) {
   EXPECT_LT(simulator.report().max_speed_m_s, 1.0);
 }
 
-TEST(SpawnTest, RandomScenesAreRefusedOrBeginFreeAndStayCalm) {
+TEST(SpawnTest, RandomScenesAreRefusedOrStaySlow) {
   Random random(72);
   int refused = 0, run = 0;
   for (int k = 0; k < 90; ++k) {
@@ -169,10 +162,6 @@ TEST(SpawnTest, RandomScenesAreRefusedOrBeginFreeAndStayCalm) {
   }
   EXPECT_GT(refused, 10);
   EXPECT_GT(run, 20);
-}
-
-TEST(SpawnTest, EverySceneOfTheProjectBeginsFree) {
-  for (const std::string& name : sceneNames()) EXPECT_NO_THROW(loadScene(name)) << name;
 }
 
 }  // namespace

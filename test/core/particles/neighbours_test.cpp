@@ -21,7 +21,7 @@ constexpr double kSupport_m = 0.1;
 template <class Real>
 class NeighboursTest : public testing::Test {
  protected:
-  /// Pairs of ids nearer than h, each way round, by asking every pair.
+  /// Pairs of ids nearer than h, in both orders, found by checking every pair.
   static Pairs bruteForce(const Particles<Real>& particles) {
     Pairs pairs;
     const Real h = Real(kSupport_m);
@@ -34,7 +34,8 @@ class NeighboursTest : public testing::Test {
     return pairs;
   }
 
-  /// Pairs of ids within h that the lists give; fails on a pair twice or one beyond the skin.
+  /// Pairs of ids within h in the lists; fails on a pair listed twice or further apart than
+  /// reach_m.
   static Pairs listed(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
                       double reach_m) {
     Pairs pairs, seen;
@@ -51,7 +52,7 @@ class NeighboursTest : public testing::Test {
     return pairs;
   }
 
-  /// The same particles somewhere else, with new lists.
+  /// Moves the particles to these points and builds new lists.
   static void scatter(Cloud<Real>& cloud, const std::vector<Vec3d>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       cloud.particles.predicted.set(i, points[i].cast<Real>());
@@ -103,7 +104,7 @@ TYPED_TEST(NeighboursTest, OutlierFarAway) {
   }
 }
 
-// Cells of a support radius end 105 km away; what is further off lies in the last one.
+// Cells of a support radius end 105 km away; points further off are in the last cell.
 TYPED_TEST(NeighboursTest, OutliersBeyondTheLastCell) {
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<Vec3d> points = randomPoints(200, Vec3d::Zero(), Vec3d::Constant(0.4), 8);
@@ -137,7 +138,7 @@ TYPED_TEST(NeighboursTest, ExactlyTheSupportRadiusIsNoNeighbour) {
   EXPECT_EQ(cloud.neighbours.pairs(), 0u);
 }
 
-TYPED_TEST(NeighboursTest, NoneAndOne) {
+TYPED_TEST(NeighboursTest, NoParticleAndOneParticleHaveNoNeighbours) {
   const Cloud<TypeParam> none({}, kSupport_m);
   EXPECT_EQ(none.neighbours.pairs(), 0u);
   EXPECT_FALSE(none.neighbours.stale(none.particles.predicted));
@@ -216,7 +217,7 @@ TYPED_TEST(NeighboursTest, ListsThatTakeTooMuchMemoryAreRefusedAndMayBeBuiltLate
   EXPECT_EQ(this->listed(cloud.particles, cloud.neighbours, kSupport_m), before);
 }
 
-TYPED_TEST(NeighboursTest, ShrinksAfterFewerParticles) {
+TYPED_TEST(NeighboursTest, ListsAreCompleteAfterTheNumberOfParticlesFalls) {
   Neighbours<TypeParam> neighbours(TypeParam(kSupport_m), 0);
   for (const std::size_t count : {600u, 20u, 0u}) {
     auto particles =

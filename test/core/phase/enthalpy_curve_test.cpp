@@ -5,7 +5,7 @@
 namespace ice_ice_baby {
 namespace {
 
-/// Celsius of what ice, water and steam pass through, both plateaus met exactly.
+/// From ice to steam in degrees Celsius, with both phase changes and their neighbours.
 const double kTemperatures[] = {-273.15, -40, -1e-9, 0, 1e-9, 4, 99.999, 100, 100.001, 1000};
 
 TEST(EnthalpyCurveTest, TemperatureAndEnthalpyAreInverse) {

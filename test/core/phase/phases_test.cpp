@@ -1,4 +1,4 @@
-// Who is water, ice and steam, and what the solver is told of it.
+// Which particles are water, ice and steam, and what the solver learns of it.
 #include "phase/phases.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ class PhasesTest : public ::testing::Test {
   PhasesTest() { scene_.thermal.enabled = true; }
 
   EnthalpyCurve curve() const { return EnthalpyCurve(scene_.thermal); }
-  /// Updates as the simulation does when there is time enough.
+  /// Updates the phases and lets volumes reach their final value.
   template <class Real>
   void settle(Phases<Real>& phases, const std::vector<double>& enthalpy) const {
     phases.update(curve(), enthalpy);
@@ -42,7 +42,7 @@ TEST_F(PhasesTest, FreezesAndMeltsWithHysteresis) {
   EXPECT_EQ(at(0.3), Phase::kWater);
 }
 
-TEST_F(PhasesTest, BoilsOnceTheLatentHeatIsPaidAndCondensesOnceItIsGivenUp) {
+TEST_F(PhasesTest, BoilsOnceTheLatentHeatIsAbsorbedAndCondensesOnceItIsReleased) {
   Phases<float> phases(scene_, 1);
   const double boils = curve().enthalpy(100.0);
   const auto at = [&](double enthalpy) {
@@ -74,7 +74,7 @@ TEST_F(PhasesTest, WaterSwellsInHalfASecondAndIsIceOnlyThen) {
   EXPECT_EQ(phases.slush()[0], 0.0) << "it flows no more";
 }
 
-TEST_F(PhasesTest, WhatCondensesGrowsFromNothing) {
+TEST_F(PhasesTest, CondensingSteamSwellsFromNoVolume) {
   Phases<double> phases(scene_, 1);
   settle(phases, {curve().enthalpy(200.0)});
   ASSERT_EQ(phases.relativeVolume()[0], 0.0);

@@ -1,5 +1,5 @@
-// Whole scenes give the same bits whenever they run, on any number of threads and with anybody
-// looking on. A program of its own, as all of its threads are what ThreadSanitizer has to see.
+// Whole scenes give the same bits in every run, on any number of threads, whatever is sampled. A
+// program of its own, as it is what ThreadSanitizer checks.
 #include <gtest/gtest.h>
 
 #include "fixtures.h"

@@ -1,4 +1,4 @@
-// What water and ice do over a second or two of whole scenes.
+// Water and ice over a second or two of whole scenes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,9 @@ std::vector<ParticleSample> samplesOf(const Simulation& simulation) {
   return samples;
 }
 
-/// Mean height of the topmost layer's worth of particles.
+Vec3d placeOf(const ParticleSample& s) { return {s.x, s.y, s.z}; }
+
+/// Mean height of the `layer` highest particles.
 double surfaceHeight(const Simulation& simulation, std::size_t layer) {
   std::vector<double> heights;
   for (const ParticleSample& s : samplesOf(simulation)) heights.push_back(s.z);
@@ -50,7 +52,7 @@ TEST(WaterTest, AColumnKeepsItsHeightAndItsDensity) {
   run(*simulation, 120);
   EXPECT_GE((surfaceHeight(*simulation, 144) + 0.025) / before, 0.98);
   EXPECT_LE((surfaceHeight(*simulation, 144) + 0.025) / before, 1.02);
-  // One iteration a substep bears 60 cm of water with a quarter of a percent of compression.
+  // Two iterations a substep leave 60 cm of water compressed by a quarter of a percent.
   EXPECT_LT(measureDensityError(*simulation).mean, 4e-3);
   EXPECT_LT(simulation->report().rms_speed_m_s, 0.1);
 }
@@ -118,30 +120,12 @@ TEST(IceTest, AFrozenBlockKeepsItsShapeInFreeFlight) {
   }
 }
 
-TEST(IceTest, InstantFreezingInASplashAndThawingAt30HzStayBounded) {
-  const auto simulation = makeSimulation(splash());
-  run(*simulation, 25);
-  std::size_t most = 0;
-  for (int k = 0; k < 60; ++k) {
-    simulation->setTemperature(k % 2 ? 20 : -20, 0);
-    simulation->advanceFrame();
-    most = std::max(most, simulation->report().springs);
-    ASSERT_EQ(countEscaped(*simulation), 0u);
-  }
-  EXPECT_TRUE(allFinite(*simulation));
-  EXPECT_LT(most, 20 * simulation->report().particles);
-  EXPECT_LT(simulation->report().max_speed_m_s, 10.0);
-}
-
 TEST(IceTest, ASheetHoldsTogetherOverABall) {
   Scene scene;
   scene.fluid.spacing_m = 0.05;
   scene.blocks.push_back(test::blockOf({-0.3, -0.3, 0.4}, {0.3, 0.3, 0.45}));
   scene.blocks[0].sheet = true;
-  scene.spheres.emplace_back();
-  scene.spheres[0].name = "ball";
-  scene.spheres[0].position_m = {0, 0, 0.15};
-  scene.spheres[0].radius_m = 0.15;
+  scene.spheres.push_back(test::ball({0, 0, 0.15}, 0.15));
   const auto simulation = makeSimulation(scene);
   const std::size_t springs = simulation->report().springs;
   run(*simulation, 90);
@@ -162,14 +146,12 @@ TEST(PrecisionTest, FloatFollowsDoubleForAWhile) {
   run(*twice, 12);
   const auto a = samplesOf(*single), b = samplesOf(*twice);
   double apart = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    apart += Vec3d(a[k].x - b[k].x, a[k].y - b[k].y, a[k].z - b[k].z).norm();
-  }
+  for (std::size_t k = 0; k < a.size(); ++k) apart += (placeOf(a[k]) - placeOf(b[k])).norm();
   EXPECT_LT(apart / double(a.size()), 1e-3) << "a fiftieth of the spacing, on average";
 }
 
-TEST(ScaleTest, TheSameSceneATenthAndTenTimesAsLarge) {
-  std::vector<double> errors;
+TEST(ScaleTest, ScenesATenthAndTenTimesAsLargeMoveAlike) {
+  std::vector<std::vector<ParticleSample>> runs;
   for (const double scale : {0.1, 1.0, 10.0}) {
     Scene scene = splash();
     scene.fluid.spacing_m *= scale;
@@ -180,11 +162,14 @@ TEST(ScaleTest, TheSameSceneATenthAndTenTimesAsLarge) {
     scene.solver.max_speed_m_s *= scale;
     const auto simulation = makeSimulation(scene, Precision::kDouble);
     run(*simulation, 12);
-    errors.push_back(samplesOf(*simulation)[100].z / scale);
+    runs.push_back(samplesOf(*simulation));
   }
-  // Samples are float, which is where the tolerance comes from.
-  EXPECT_NEAR(errors[0], errors[1], 1e-5);
-  EXPECT_NEAR(errors[2], errors[1], 1e-5);
+  // Samples are floats, hence the tolerance.
+  for (std::size_t k = 0; k < runs[1].size(); ++k) {
+    const Vec3d one = placeOf(runs[1][k]);
+    ASSERT_LT((10 * placeOf(runs[0][k]) - one).norm(), 1e-5) << k;
+    ASSERT_LT((placeOf(runs[2][k]) / 10 - one).norm(), 1e-5) << k;
+  }
 }
 
 TEST(ExtremesTest, NothingBecomesNotFiniteOrEscapes) {
@@ -218,31 +203,6 @@ TEST(ExtremesTest, NothingBecomesNotFiniteOrEscapes) {
   });
   survives("40 iterations", [](Scene& s) { s.solver.iterations = 40; });
   survives("frozen at once", [](Scene& s) { s.temperature.initial_c = -273.15; });
-}
-
-TEST(CollidersInMotionTest, AShakenClosedTankLosesNothing) {
-  const auto simulation = makeSimulation(splash());
-  test::Random random(61);
-  for (int frame = 0; frame < 60; ++frame) {
-    Posed pose;
-    pose.position = random.inBox(Vec3d::Constant(-0.2), Vec3d::Constant(0.2));
-    pose.rotation = Eigen::AngleAxisd(random.uniform(-0.5, 0.5), random.direction()).matrix();
-    simulation->moveCollider("tank", pose);
-    simulation->advanceFrame();
-    ASSERT_EQ(countEscaped(*simulation), 0u) << frame;
-  }
-  EXPECT_TRUE(allFinite(*simulation));
-}
-
-TEST(CollidersInMotionTest, ATeleportedTankTakesItsWaterAlong) {
-  const auto simulation = makeSimulation(splash());
-  Posed pose;
-  pose.position = {50, -30, 20};
-  simulation->moveCollider("tank", pose);
-  run(*simulation, 2);
-  EXPECT_EQ(countEscaped(*simulation), 0u);
-  EXPECT_TRUE(allFinite(*simulation));
-  EXPECT_LE(simulation->report().max_speed_m_s, 30.001);
 }
 
 }  // namespace

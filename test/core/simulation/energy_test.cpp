@@ -1,4 +1,4 @@
-// Energy of whole scenes: what nothing works on may not gain any.
+// Energy of whole scenes: without external work it must not rise.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,18 +12,18 @@ namespace {
 double mechanical_j(const StepReport& r) { return r.kinetic_energy_j + r.potential_energy_j; }
 double total_j(const StepReport& r) { return mechanical_j(r) + r.elastic_energy_j; }
 
-/// Furthest that an energy is above its running minimum.
+/// Largest rise of an energy above its running minimum.
 class Rise {
  public:
   void add(double energy_j) {
-    least_j_ = std::min(least_j_, energy_j);
-    most_j_ = std::max(most_j_, energy_j - least_j_);
+    min_j_ = std::min(min_j_, energy_j);
+    rise_j_ = std::max(rise_j_, energy_j - min_j_);
   }
-  double value_j() const { return most_j_; }
+  double value_j() const { return rise_j_; }
 
  private:
-  double least_j_ = std::numeric_limits<double>::max();
-  double most_j_ = 0.0;
+  double min_j_ = std::numeric_limits<double>::max();
+  double rise_j_ = 0.0;
 };
 
 /// A column that falls on the floor of an open tank and splashes over its rim.
@@ -43,7 +43,7 @@ struct Rises {
   double total;
 };
 
-/// Both relative to the energy that the fall sets free.
+/// Both relative to the potential energy of the fall.
 Rises risesOf(const Scene& scene, double drop_m, int frames) {
   const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
   const double mass_kg = double(simulation->report().particles) * scene.fluid.rest_density_kg_m3 *
@@ -66,20 +66,20 @@ TEST_P(SplashEnergyTest, DoesNotRise) {
 
 INSTANTIATE_TEST_SUITE_P(Substeps, SplashEnergyTest, testing::Values(2, 4, 8, 24));
 
-TEST(EnergyTest, WhatReboundsWasInThePressure) {
-  // Two substeps leave water so soft that it bounces: its fall comes back as height.
+TEST(EnergyTest, ReboundComesFromEnergyStoredInPressure) {
+  // Two substeps leave water so compressible that it bounces.
   const Rises rises = risesOf(splash(2), 0.7, 60);
   EXPECT_GT(rises.mechanical, 1e-3);
   EXPECT_LT(rises.total, 0.1 * rises.mechanical);
 }
 
-TEST(EnergyTest, FreezingInMidSplashGivesNone) {
+TEST(EnergyTest, FreezingInMidSplashAddsNone) {
   Scene scene = splash(8);
   scene.schedule = {{0.35, -5, 0.08}};
   EXPECT_LT(risesOf(scene, 0.7, 120).total, 1e-3);
 }
 
-/// What hangs in springs that few iterations leave stretched comes back as speed.
+/// Springs that few iterations leave stretched turn their energy into speed later.
 class SheetEnergyTest : public testing::TestWithParam<int> {};
 
 TEST_P(SheetEnergyTest, GivesBackNoMoreThanItsSpringsHold) {
@@ -99,7 +99,7 @@ TEST_P(SheetEnergyTest, GivesBackNoMoreThanItsSpringsHold) {
 INSTANTIATE_TEST_SUITE_P(Substeps, SheetEnergyTest, testing::Values(2, 4, 8, 24));
 
 TEST(EnergyTest, TheElasticPartIsThatOfAnEvenlyPressedColumn) {
-  // Pressure rho g z does work p C V / 2 on the water under it, C as the column itself shows it.
+  // Pressure p compresses a volume V by C: energy p C V / 2, with p = rho g z and C as measured.
   Scene scene = test::fullTank(8, true);
   const auto simulation = makeSimulation(scene, Precision::kDouble, 1);
   for (int frame = 0; frame < 240; ++frame) simulation->advanceFrame();
@@ -117,7 +117,7 @@ TEST(EnergyTest, TheElasticPartIsThatOfAnEvenlyPressedColumn) {
 TEST(EnergyTest, WaterLandsOnARimWithoutBeingThrownAside) {
   Scene scene;
   scene.fluid.spacing_m = 0.02;
-  scene.solver.iterations = 0;  // single drops: only the wall can move them
+  scene.solver.iterations = 0;  // no pressure: only walls can push
   scene.solver.substeps = 24;
   scene.containers.push_back(test::tankOf({0.4, 0.4, 0.3}, true));
   scene.blocks.push_back(test::blockOf({-0.25, -0.05, 0.4}, {0.25, 0.05, 0.42}));

@@ -1,5 +1,5 @@
-// Colliders that move through water, and ones that are moved further in a frame than anything may
-// go: what they hold comes along, what they land on makes room, and nothing shoots away.
+// Colliders that move through water, or jump: further in a frame than the speed limit allows. What
+// they hold is carried along, what they land on is displaced, and nothing is thrown.
 #include <gtest/gtest.h>
 
 #include "fixtures.h"
@@ -33,7 +33,7 @@ std::vector<ParticleSample> samplesOf(const Simulation& simulation) {
 
 Vec3d at(const ParticleSample& s) { return {s.x, s.y, s.z}; }
 
-/// Of all particles from a point, m.
+/// Distance of the nearest particle, m.
 double nearestTo(const Simulation& simulation, const Vec3d& centre) {
   double nearest = 1e9;
   for (const ParticleSample& s : samplesOf(simulation)) {
@@ -63,13 +63,13 @@ class JumpsTest : public testing::Test {
   }
   /// Largest speed over the next frames.
   static double fastest(Simulation& simulation, int frames) {
-    double most = 0.0;
+    double max_m_s = 0.0;
     for (int k = 0; k < frames; ++k) {
-      most = std::max(most, simulation.advanceFrame().max_speed_m_s);
+      max_m_s = std::max(max_m_s, simulation.advanceFrame().max_speed_m_s);
     }
-    return most;
+    return max_m_s;
   }
-  /// Moves the tank far away and holds that all of it came along as it was, nearer than `within_m`.
+  /// Moves the tank far away; every particle must keep its place in it to `within_m`.
   static Posed expectCarried(Simulation& simulation, double within_m) {
     const std::vector<ParticleSample> was = samplesOf(simulation);
     const Posed there = posed({80, -60, 40}, {0, 0, 170});
@@ -89,7 +89,7 @@ TEST_F(JumpsTest, ATankThatJumpsTakesItsWaterAlongAsItIs) {
   const auto simulation = rested(pool());
   const double before = simulation->report().max_speed_m_s;
   expectCarried(*simulation, 0.3 * kSpacing_m);
-  EXPECT_EQ(simulation->report().speed_limited, particles_) << "it is told";
+  EXPECT_EQ(simulation->report().speed_limited, particles_) << "all are counted";
   EXPECT_LT(fastest(*simulation, 10), before + 0.3);
   expectWhole(*simulation, particles_);
   EXPECT_EQ(simulation->report().speed_limited, 0u);
@@ -116,13 +116,13 @@ TEST_F(JumpsTest, ABallThatAppearsInThePoolShootsNothingAway) {
   const auto simulation = rested(scene);
   const Vec3d centre(0.1, 0.05, 0.15);
   simulation->moveCollider("ball", posed(centre));
-  // A ball of 3.6 litres presses water out of its place: it may rise like a wave, not like a jet.
+  // A ball of 3.6 litres displaces water: a wave is expected, not a jet.
   EXPECT_LT(fastest(*simulation, 20), 3.0);
   EXPECT_GT(nearestTo(*simulation, centre), 0.12 + 0.98 * kRadius_m);
   expectWhole(*simulation, particles_);
 }
 
-TEST_F(JumpsTest, AGroundThatRisesAtOnceLiftsWithoutAThrow) {
+TEST_F(JumpsTest, AGroundThatJumpsUpLiftsWaterSlowly) {
   Scene scene = test::floatingCube(6);
   scene.planes.emplace_back().name = "ground";
   scene.blocks[0].min_m.z() += 0.01;
@@ -134,7 +134,7 @@ TEST_F(JumpsTest, AGroundThatRisesAtOnceLiftsWithoutAThrow) {
   EXPECT_GT(*std::min_element(z.begin(), z.end()), 2 + 0.98 * kRadius_m);
 }
 
-TEST_F(JumpsTest, WhereverCollidersAreThrownEverythingStaysWholeAndSlow) {
+TEST_F(JumpsTest, RandomJumpsOfCollidersLoseNothingAndThrowNothing) {
   Random random(81);
   Scene scene = pool();
   scene.spheres.push_back(ball({0, 0, 0.6}, 0.1));
@@ -145,7 +145,7 @@ TEST_F(JumpsTest, WhereverCollidersAreThrownEverythingStaysWholeAndSlow) {
   plate.position_m = {0, 0, 2};
   scene.planes.push_back(plate);
   const auto simulation = rested(scene);
-  double most = 0.0;
+  double max_m_s = 0.0;
   Posed tank = posed({0, 0, 0});
   for (int frame = 0; frame < 150; ++frame) {
     if (frame % 5 == 0) {
@@ -159,10 +159,10 @@ TEST_F(JumpsTest, WhereverCollidersAreThrownEverythingStaysWholeAndSlow) {
       pose.rotation = Eigen::AngleAxisd(random.uniform(-3, 3), random.direction()).matrix();
       if (frame % 3 == 0) simulation->moveCollider(name, pose);
     }
-    most = std::max(most, simulation->advanceFrame().max_speed_m_s);
+    max_m_s = std::max(max_m_s, simulation->advanceFrame().max_speed_m_s);
     expectWhole(*simulation, particles_);
   }
-  EXPECT_LE(most, 30.001);
+  EXPECT_LE(max_m_s, 30.001);
 }
 
 TEST_F(JumpsTest, ABallDrawnThroughThePoolMakesNothingMuchFasterThanItself) {
@@ -172,20 +172,20 @@ TEST_F(JumpsTest, ABallDrawnThroughThePoolMakesNothingMuchFasterThanItself) {
     scene.blocks = {blockOf({-0.2, -0.4, 0}, {0.5, 0.4, 0.3})};
     const auto simulation = rested(scene);
     const double frame_s = 1 / scene.solver.frame_rate_hz;
-    double most = 0.0;
+    double max_m_s = 0.0;
     Vec3d centre(-0.3, 0, 0.15);
     while (centre.x() < 0.3) {
       centre.x() += speed * frame_s;
       simulation->moveCollider("ball", posed(centre));
-      most = std::max(most, simulation->advanceFrame().max_speed_m_s);
+      max_m_s = std::max(max_m_s, simulation->advanceFrame().max_speed_m_s);
       EXPECT_GT(nearestTo(*simulation, centre), 0.06 + 0.98 * kRadius_m) << speed;
     }
-    EXPECT_LT(most, 2.5 * speed + 2.5) << speed;
+    EXPECT_LT(max_m_s, 2.5 * speed + 2.5) << speed;
     expectWhole(*simulation, particles_);
   }
 }
 
-TEST_F(JumpsTest, IceGoesAlongAndMakesRoomAsWell) {
+TEST_F(JumpsTest, IceIsCarriedAlongAndDisplacedToo) {
   Scene scene;
   scene.fluid.spacing_m = kSpacing_m;
   scene.thermal.enabled = true;

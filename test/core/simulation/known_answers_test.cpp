@@ -1,5 +1,4 @@
-// Scenes of config/scenes/verification in double, past the single precision of what run_scene
-// writes.
+// Scenes of config/scenes/verification in double precision, which the reports of run_scene lack.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +24,7 @@ TEST(KnownAnswersTest, ACollisionExchangesMomentumAndGainsNone) {
     const Vec3d now = test::sumOf(simulation.particles().velocity);
     ASSERT_LT((now - before).norm(), 1e-12 * exchanged) << "frame " << frame;
   }
-  EXPECT_GT(densest, 1e-3) << "they did meet";
+  EXPECT_GT(densest, 1e-3) << "they must meet";
 }
 
 TEST(KnownAnswersTest, NothingHoldsASpinningDiskTogether) {

@@ -27,12 +27,12 @@ void* counted(std::size_t size, std::size_t alignment) {
 
 }  // namespace
 
-// Every allocation of this program, except what malloc is asked for directly.
+// Counts every allocation of this program but direct calls of malloc.
 void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
 void* operator new[](std::size_t size) { return counted(size, alignof(std::max_align_t)); }
 void* operator new(std::size_t size, std::align_val_t a) { return counted(size, std::size_t(a)); }
 void* operator new[](std::size_t size, std::align_val_t a) { return counted(size, std::size_t(a)); }
-// As std::stable_partition asks. The library's own leads to the one above, but a sanitizer's does
+// std::stable_partition uses this one. The default calls the one above, but a sanitizer's does
 // not.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   return countedOrNull(size, alignof(std::max_align_t));
@@ -107,7 +107,7 @@ TEST(PayOnly, EveryStageRunsAsOftenAsTheSettingSays) {
   for (const char* name : {"predict", "neighbours", "velocity", "viscosity"}) {
     EXPECT_EQ(stages[name].calls, 4u * 5) << name;
   }
-  // Colliders that stand still are met once an iteration, as the water's own passes are.
+  // Colliders that do not move are handled once an iteration, like the pressure.
   for (const char* name : {"lambda", "delta_p", "collide", "position"}) {
     EXPECT_EQ(stages[name].calls, 4u * 5 * 3) << name;
   }
@@ -124,7 +124,7 @@ TEST(PayOnly, WhatASceneLacksTakesNoMemory) {
   const auto with_viscosity = ran(viscous, 3);
   EXPECT_EQ(bytesOf(*bare) + byName(*with_viscosity)["viscosity"].bytes, bytesOf(*with_viscosity));
 
-  // A collider far from the water: the arrays it brings are all that differs.
+  // A collider far from the water adds only its arrays.
   Scene walled = waterOnly();
   walled.planes.emplace_back();
   walled.planes[0].position_m.z() = -5;
@@ -154,7 +154,7 @@ TEST(PayOnly, MeltedWaterCostsWhatWaterNeverFrozenDoes) {
   EXPECT_EQ(melted->report().springs, 0u);
 }
 
-/// Water at 20 degrees that has a temperature in every particle.
+/// A cube in which every particle has its own temperature.
 Scene heated(double celsius) {
   Scene scene = test::floatingCube(6);
   scene.thermal.enabled = true;
@@ -184,7 +184,7 @@ TEST(PayOnly, HeatWaitsAsLongAsOnePassCovers) {
   EXPECT_EQ(byName(*ran(fast, 60))["heat"].calls, 60u);
 }
 
-/// Allocations of 30 frames after a warm-up in which every array has grown to its size.
+/// Allocations in 30 frames, after a warm-up in which every array reaches its size.
 std::uint64_t steadyAllocations(const Scene& scene, int warm_up_frames, int threads) {
   const auto simulation = ran(scene, warm_up_frames, threads);
   const std::uint64_t before = allocations;

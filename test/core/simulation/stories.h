@@ -1,4 +1,4 @@
-// Scenes with what somebody does to them, which together hold all that a state may hold.
+// Scenes with commands during the run; together they cover every part of the state.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace ice_ice_baby::test {
 
-/// A scene, and what somebody does to it before frame `frame`.
+/// A scene and the commands given before each frame.
 struct Story {
   std::string name;
   Scene scene;
@@ -47,7 +47,7 @@ inline Story sheetStory() {
   return {"sheet", scene};
 }
 
-/// The tank turns and rises; in frame 20 a move is asked for that the checkpoint holds undone.
+/// The tank turns and rises in every frame, so each checkpoint holds a move still to be made.
 inline Story movedStory() {
   const auto move = [](Simulation& simulation, int frame) {
     const double s = 0.01 * frame;
@@ -69,8 +69,8 @@ inline Story plainFlightStory() {
   return {"no_iterations", scene};
 }
 
-/// Water that boils off a hot floor, under a torch, with a block of ice that falls into it, in
-/// substeps of changing length.
+/// Water that boils on a hot floor, under a torch, with a block of ice that falls into it; the
+/// number of substeps varies.
 inline Story kettleStory(double compliance_m_n) {
   Scene scene = heated(0.02);
   scene.thermal.speedup = 2000.0;
@@ -96,8 +96,8 @@ inline Story kettleStory(double compliance_m_n) {
   return {compliance_m_n > 0 ? "elastic_ice" : "kettle", scene, act, 60};
 }
 
-/// Balls of ice that fall on a plate and on each other, some of them at rest and asleep, until the
-/// plate melts them from below and throws them up.
+/// Balls of ice that fall on a plate and on each other; some are asleep when the plate melts them
+/// from below and rises.
 inline Story hailStory() {
   Scene scene = heated(0.02);
   scene.thermal.speedup = 4000.0;
@@ -138,8 +138,8 @@ inline Story coldTankStory() {
   return {"cold_tank", scene, act, 60};
 }
 
-/// A tank with water, ice and a ball in it that is suddenly somewhere else and turned, and then the
-/// ball in the middle of the water.
+/// A tank with water and ice that jumps to another place and rotation; then a ball jumps into the
+/// water.
 inline Story jumpStory() {
   Scene scene = heated(0.04);
   scene.blocks = {blockOf({-0.3, -0.2, 0.0}, {0.3, 0.2, 0.16}),
@@ -157,8 +157,8 @@ inline Story jumpStory() {
   return {"jumps", scene, act, 32};
 }
 
-/// Three rows of ice in free space, of which the first brick hits the next and both the third, so
-/// fast that they would pass each other within a substep.
+/// Three rows of bricks of ice in free space. The first brick of each hits the next, and so on,
+/// fast enough to pass through each other within a substep.
 inline Story fastIceStory() {
   Scene scene = heated(0.04);
   scene.gravity_m_s2.setZero();
@@ -192,7 +192,7 @@ inline std::vector<Story> stories() {
           fastIceStory()};
 }
 
-/// What Simulation::write wrote, from behind the scene and the number of particles.
+/// Bytes that Simulation::write writes after the scene and the number of particles.
 inline std::string stateOf(const Simulation& simulation) {
   StateWriter all, count;
   simulation.write(all);

@@ -1,4 +1,4 @@
-// What brings heat from outside, walls apart: air, regions, and both for steam.
+// Heat from air and heated regions, for water and for steam.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -11,8 +11,8 @@ namespace {
 using test::StillHeat;
 using test::warmCube;
 
-/// Area by the heat that warmer air brings in a moment; the transfer is so small that water
-/// conducts far better.
+/// Area measured by the heat that slightly warmer air brings in a second, at so small a transfer
+/// coefficient that conduction in the water does not matter.
 double bareArea_m2(Scene scene) {
   scene.thermal.air_heat_transfer_w_m2k = 1e-3;
   StillHeat<double> still(scene);
@@ -20,7 +20,7 @@ double bareArea_m2(Scene scene) {
   return still.heat.heatIn_j() / 1e-3;
 }
 
-/// Edges count as rounded, by a piece that shrinks with the spacing.
+/// Edges count as rounded, so the area is too small by an error of the order of the spacing.
 TEST(HeatSourcesTest, CubeIsBareOnItsSixSides) {
   for (const int n : {6, 12}) {
     const double share = bareArea_m2(warmCube(n, 20.0)) / (6 * std::pow(0.02 * n, 2));
@@ -29,7 +29,7 @@ TEST(HeatSourcesTest, CubeIsBareOnItsSixSides) {
   }
 }
 
-/// The wall goes on above the water and so covers a little of the particles next to it.
+/// The walls rise above the water and so cover a little of the particles next to them.
 TEST(HeatSourcesTest, WallsKeepTheAirAway) {
   Scene scene = warmCube(8, 20.0);
   scene.blocks[0] = test::blockOf({-0.08, -0.08, 0}, {0.08, 0.08, 0.16});
@@ -68,7 +68,7 @@ TEST(HeatSourcesTest, ARegionHeatsWhatIsInItAndEnds) {
   }
 }
 
-TEST(HeatSourcesTest, ARegionHeatsNothingBeyondTheRangeAndKeepsTheLedger) {
+TEST(HeatSourcesTest, ARegionHeatsNothingBeyondTheRangeAndItsHeatIsCounted) {
   StillHeat<float> still(warmCube(4, 20.0));
   for (const double power : {1e9, -1e9}) {
     const double before = still.heat.totalEnthalpy_j() - still.heat.heatIn_j();
@@ -83,8 +83,8 @@ TEST(HeatSourcesTest, ARegionHeatsNothingBeyondTheRangeAndKeepsTheLedger) {
   }
 }
 
-/// A puff whose latent heat the air takes condenses; it never falls below the air, and its
-/// neighbours feel nothing of it.
+/// Steam that gives its latent heat to the air condenses. It gets no colder than the air and
+/// exchanges no heat with its neighbours.
 TEST(HeatSourcesTest, SteamCondensesInTheAirAlone) {
   Scene scene = warmCube(4, 150.0);
   scene.thermal.speedup = 600.0;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSpacing_m = 0.01;
 
-/// Water at freezing on a plate below it, ice and water alike: Ste = c dT / L.
+/// Water at the freezing point on a colder plate; ice has the same constants: Ste = c dT / L.
 Scene stefanColumn(double stefan, int layers, double spacing_m = kSpacing_m) {
   Scene scene = test::coldColumn(3, layers, spacing_m, -10.0);
   ThermalParams& thermal = scene.thermal;
@@ -21,7 +21,7 @@ Scene stefanColumn(double stefan, int layers, double spacing_m = kSpacing_m) {
   return scene;
 }
 
-/// Thickness of the ice were all of it in one piece.
+/// Volume of the ice over the cross-section of the column.
 double front_m(const test::StillHeat<double>& column) {
   double ice = 0.0;
   for (std::size_t i = 0; i < column.particles.size(); ++i) ice += column.heat.iceFraction(i);
@@ -34,7 +34,7 @@ double diffusivity_m2_s(const Scene& scene) {
          (scene.fluid.rest_density_kg_m3 * scene.thermal.ice_specific_heat_j_kgk);
 }
 
-/// Relative error of the front once it stands `depth_m` deep, s = 2 lambda sqrt(alpha t).
+/// Relative error of the front when the exact one is at `depth_m`: s = 2 lambda sqrt(alpha t).
 double frontError(Scene scene, double lambda, double depth_m) {
   const double time_s = std::pow(depth_m / (2 * lambda), 2) / diffusivity_m2_s(scene);
   scene.thermal.speedup = time_s / 10;
@@ -50,7 +50,7 @@ struct OnePhase {
 };
 const OnePhase kOnePhase[] = {{0.05, .156821}, {0.2, .306424}, {1, .620063}};
 
-TEST(StefanTest, WaterAtFreezingFreezesAsStefanHasIt) {
+TEST(StefanTest, FrontFollowsStefansSolution) {
   for (const auto& [stefan, lambda] : kOnePhase) {
     for (const int layers : {5, 10, 15}) {
       const double error = frontError(stefanColumn(stefan, 20), lambda, layers * kSpacing_m);
@@ -84,8 +84,8 @@ TEST(StefanTest, ErrorFallsWithTheSpacing) {
   }
 }
 
-/// A layer waits at its temperature above freezing until the one below is solid: the front halts,
-/// so it is read a quarter into a layer, where it lags most.
+/// A layer stays above freezing until the one below is solid, so the front halts there. It is read
+/// a quarter into a layer, where it lags furthest behind.
 TEST(StefanTest, WarmWaterSlowsTheFront) {
   for (const auto& [superheat, lambda] : {std::pair{0.5, .469851}, std::pair{1.0, .377760}}) {
     Scene scene = stefanColumn(1.0, 60);

@@ -99,7 +99,7 @@ TEST(ThermalBoundariesTest, PlateUnderTheFloorOfATankDoesNotCount) {
   EXPECT_EQ(Walls(scene).walls.at({0, 0, 0.011}).length_m, 0.0);
 }
 
-TEST(ThermalBoundariesTest, RampsFromWhatItHasAndArrives) {
+TEST(ThermalBoundariesTest, RampsFromItsTemperatureToTheTarget) {
   Walls walls(plate(ThermalBoundary::kInsulated));
   EXPECT_FALSE(walls.walls.active());
   EXPECT_TRUE(walls.walls.mirrors(0));
@@ -126,12 +126,12 @@ void expectFluxAndLedger() {
   EXPECT_NEAR(still.heat.totalEnthalpy_j() - before, still.heat.heatIn_j(), 1e-10 * before);
 }
 
-TEST(ThermalBoundariesTest, FluxArrivesToTheJoule) {
+TEST(ThermalBoundariesTest, FluxHeatsByItsAreaAndTime) {
   expectFluxAndLedger<double>();
   expectFluxAndLedger<float>();
 }
 
-TEST(ThermalBoundariesTest, LedgerBalancesWhatWallsAndAirGive) {
+TEST(ThermalBoundariesTest, EnthalpyChangesByTheHeatOfWallsAndAir) {
   Scene scene = plate(ThermalBoundary::kTemperature);
   scene.planes[0].celsius = -50.0;
   scene.thermal.air_heat_transfer_w_m2k = 500.0;

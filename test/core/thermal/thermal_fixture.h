@@ -1,4 +1,4 @@
-// Heat on its own: particles that do not move, with everything that the stage needs around them.
+// The thermal solver alone, on particles that do not move.
 #pragma once
 
 #include <tbb/task_arena.h>
@@ -11,7 +11,7 @@
 
 namespace ice_ice_baby::test {
 
-/// Lists a little longer than the support radius, as the solver has them.
+/// Neighbour lists have a skin, as in the simulation.
 template <class Real>
 struct StillHeat {
   explicit StillHeat(const Scene& s)
@@ -30,7 +30,7 @@ struct StillHeat {
     neighbours.build(particles.predicted);
   }
 
-  /// Advances by heat time, in frames of a sixtieth of a second.
+  /// Advances by a time of heat, which speedup divides, in frames of a sixtieth of a second.
   void run(double heat_s, double air_c = 20.0) {
     const double frame_s = scene.thermal.speedup / 60;
     const int frames = std::max(1, int(std::ceil(heat_s / frame_s - 1e-9)));
@@ -48,7 +48,7 @@ struct StillHeat {
   ThermalSolver<Real> heat;
 };
 
-/// Insulated cube of n^3 particles, 2 cm apart, in no air.
+/// Cube of n^3 particles, 2 cm apart, that exchanges no heat with the air.
 inline Scene warmCube(int n, double celsius) {
   Scene scene;
   scene.fluid.spacing_m = 0.02;
@@ -59,8 +59,8 @@ inline Scene warmCube(int n, double celsius) {
   return scene;
 }
 
-/// A column of `across` x `across` x `layers` particles within insulated walls that are mirrors, so
-/// that heat runs along z alone; on the plane z = 0 with a temperature.
+/// A column of `across` x `across` x `layers` particles on the plane z = 0, which has a
+/// temperature. The walls around it are insulated, so heat flows along z only.
 inline Scene coldColumn(int across, int layers, double spacing_m, double wall_c) {
   Scene scene;
   scene.fluid.spacing_m = spacing_m;

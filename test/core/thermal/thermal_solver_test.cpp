@@ -1,4 +1,4 @@
-// Heat between particles: what is kept, what is bounded, what is told.
+// Conduction between particles: conservation, bounds, and the speedup that is reached.
 #include "thermal/thermal_solver.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 using test::StillHeat;
 using test::warmCube;
 
-/// Ice at -60 degrees with water of 30 degrees on top, in insulated walls that fit.
+/// Water at 30 degrees on ice at -60, in an insulated tank that both fill.
 Scene iceUnderWater() {
   Scene scene = warmCube(8, -60.0);
   const double d = scene.fluid.spacing_m;
@@ -23,7 +23,7 @@ Scene iceUnderWater() {
   scene.blocks[1].celsius = 30.0;
   scene.containers.push_back(test::tankOf(Vec3d::Constant(8 * d), false));
   scene.thermal.speedup = 6000.0;
-  scene.ice.density_ratio = 1.0;  // so that both lattices are one
+  scene.ice.density_ratio = 1.0;  // so that both have one spacing
   return scene;
 }
 
@@ -80,8 +80,9 @@ TEST(ThermalTest, IceAtFreezingUnderWaterAtFreezingStays) {
   }
 }
 
-/// Insulated column, cos(pi z / length) in temperature, its layers `stretch` further apart and its
-/// particles that much larger. Largest error in K after 1 / e of the wave is left.
+/// Largest error, K, of the wave cos(pi z / length) in an insulated column when 1 / e of it is
+/// left.
+/// @param stretch of the spacing and of the size of the particles
 double waveError_c(double stretch) {
   const double length = 0.24 * stretch;
   Scene scene = test::coldColumn(3, 24, 0.01, 20.0);
@@ -118,7 +119,7 @@ double waveError_c(double stretch) {
 
 TEST(ThermalTest, WaveBetweenMirrorsDecaysAtItsRate) { EXPECT_LT(waveError_c(1.0), 0.01); }
 
-/// As ice does: 917 kg/m^3 stand 3 % further apart.
+/// Particles of ice at 917 kg/m^3 are 3 % further apart.
 TEST(ThermalTest, WaveDecaysAtItsRateInWhatHasExpanded) { EXPECT_LT(waveError_c(1.0293), 0.05); }
 
 TEST(ThermalTest, SameBitsForAnyNumberOfThreads) {
@@ -135,8 +136,8 @@ TEST(ThermalTest, SameBitsForAnyNumberOfThreads) {
   }
 }
 
-/// Every key over six decades, walls, air and a cloud of any density: nothing leaves the range of
-/// what there was at the start, in the air and on the wall.
+/// With every key drawn from six decades, no temperature leaves the range that is spanned by the
+/// start, the air and the wall.
 template <class Real>
 void expectMaximumPrinciple(std::uint64_t seed) {
   test::Random random(seed);
@@ -181,7 +182,7 @@ TEST(ThermalTest, NothingLeavesTheRangeOfItsSurroundings) {
   }
 }
 
-TEST(ThermalTest, TellsWhatSpeedupItReached) {
+TEST(ThermalTest, ReportsTheSpeedupThatItReached) {
   Scene scene = iceUnderWater();
   scene.thermal.speedup = 1e7;
   StillHeat<float> still(scene);
@@ -193,7 +194,7 @@ TEST(ThermalTest, TellsWhatSpeedupItReached) {
   EXPECT_GT(still.heat.reachedSpeedup(), 1e4);
 }
 
-/// Between its centre and the air lie half a spacing of water and the film of the air.
+/// The resistances of half a spacing of water and of the air are in series.
 TEST(ThermalTest, ADropAloneTakesOnTheTemperatureOfTheAir) {
   Scene scene = warmCube(1, 20.0);
   scene.thermal.air_heat_transfer_w_m2k = 50.0;

@@ -1,0 +1,118 @@
+// Colliders of a scene: plain data and its keys, as in params.h. CONTRIBUTING.md tells how to add a
+// shape.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ice_ice_baby/params.h"
+
+namespace ice_ice_baby {
+
+constexpr Range kCoordinateRange_m{-kMaxCoordinate_m, kMaxCoordinate_m};
+
+/// Pose whose rotation is Rz(yaw) Ry(pitch) Rx(roll), as REP 103 has it.
+Posed poseOf(const Vec3d& position_m, const Vec3d& rpy_deg);
+
+/// What colliders of every shape share.
+struct Collider {
+  std::string name;
+  Vec3d position_m = Vec3d::Zero();
+  Vec3d rpy_deg = Vec3d::Zero();
+  double friction = 0.05;
+  double opacity = 0.2;
+  std::string follow_frame;
+  ThermalBoundary heat = ThermalBoundary::kInsulated;
+  double celsius = 20.0;   ///< of its surface, where heat is kTemperature
+  double flux_w_m2 = 0.0;  ///< into the water, where heat is kFlux
+
+  /// Pose in the scene frame.
+  Posed pose() const { return poseOf(position_m, rpy_deg); }
+};
+
+template <class Visitor>
+void describeCollider(Collider& c, Visitor&& visit) {
+  visit("name", c.name, "name used by services and tf");
+  visit(
+      "position_m", c.position_m, kCoordinateRange_m,
+      "position of the centre; container: centre of its inner floor; plane: centre of its surface");
+  visit("rpy_deg", c.rpy_deg, Range{-360.0, 360.0},
+        "roll, pitch, yaw about the fixed axes x, y, z");
+  visit("friction", c.friction, Range{0.0, 10.0}, "Coulomb friction coefficient; 0: frictionless");
+  visit("opacity", c.opacity, Range{0.0, 1.0}, "opacity in pictures and markers; 0: invisible");
+  visit("follow_frame", c.follow_frame, "tf frame that the collider follows; \"\": none");
+  visit("heat", c.heat,
+        "thermal boundary condition of its surface, with thermal.enabled: none, fixed temperature "
+        "or fixed flux");
+  visit("celsius", c.celsius, kTemperatureRange_c,
+        "temperature of the surface, if heat is temperature");
+  visit("flux_w_m2", c.flux_w_m2, Range{-1e7, 1e7},
+        "flux into the water, if heat is flux; below 0: cooling");
+}
+
+/// Box that holds water: `position_m` is the centre of its inner floor, `size_m` its inner size.
+struct Container : Collider {
+  Vec3d size_m = Vec3d::Ones();
+  double wall_m = 0.02;
+  bool open_top = true;
+};
+
+template <class Visitor>
+void describe(Container& c, Visitor&& visit) {
+  describeCollider(c, visit);
+  visit("size_m", c.size_m, Range{1e-3, 2 * kMaxCoordinate_m}, "inner size");
+  visit("wall_m", c.wall_m, Range{1e-4, 10.0}, "thickness of walls and floor");
+  visit("open_top", c.open_top, "whether the top is open");
+}
+
+/// Ground: everything below the local z = 0. With a size, a plate of that size and thickness.
+struct Plane : Collider {
+  double size_x_m = 0.0;
+  double size_y_m = 0.0;
+  double thickness_m = 0.1;
+
+  bool infinite() const { return size_x_m == 0.0 || size_y_m == 0.0; }
+};
+
+template <class Visitor>
+void describe(Plane& p, Visitor&& visit) {
+  describeCollider(p, visit);
+  visit("size_x_m", p.size_x_m, Range{0.0, 2 * kMaxCoordinate_m}, "0: infinite");
+  visit("size_y_m", p.size_y_m, Range{0.0, 2 * kMaxCoordinate_m}, "0: infinite");
+  visit("thickness_m", p.thickness_m, Range{1e-4, 10.0}, "thickness of a finite plate");
+}
+
+struct Sphere : Collider {
+  double radius_m = 0.1;
+};
+
+template <class Visitor>
+void describe(Sphere& s, Visitor&& visit) {
+  describeCollider(s, visit);
+  visit("radius_m", s.radius_m, Range{1e-3, kMaxCoordinate_m}, "radius");
+}
+
+/// The colliders of a scene, one list for each shape.
+struct ColliderLists {
+  std::vector<Container> containers;
+  std::vector<Plane> planes;
+  std::vector<Sphere> spheres;
+};
+
+/// Words for the colliders of a list.
+struct ColliderKind {
+  const char* key;      ///< of the list in a scene file
+  const char* noun;     ///< for one of them, in messages and in the name of one that has none
+  const char* meaning;  ///< for config/default.yaml
+};
+
+/// Calls visit(list, kind) for every list of colliders. Colliders are numbered in this order, and
+/// those of later lists push first.
+template <class Lists, class Visit>
+void forEachColliderList(Lists& lists, const Visit& visit) {
+  visit(lists.containers, ColliderKind{"containers", "container", "boxes that hold water"});
+  visit(lists.planes, ColliderKind{"planes", "plane", "grounds and plates"});
+  visit(lists.spheres, ColliderKind{"spheres", "sphere", "spheres"});
+}
+
+}  // namespace ice_ice_baby

@@ -1,1 +1,0 @@
-"""The parts of scripts/error_vs_runtime."""

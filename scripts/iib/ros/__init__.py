@@ -1,0 +1,1 @@
+"""A running node, a master for it, and load on both."""

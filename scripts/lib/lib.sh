@@ -1,0 +1,118 @@
+# shellcheck shell=bash
+# What the scripts share. Source it; it runs nothing by itself.
+# shellcheck disable=SC2034  # the variables are for those who source this
+
+# A failure inside $(...) is a failure.
+shopt -s inherit_errexit
+
+ROOT="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
+NODE=/ice_ice_baby
+CHILDREN=()
+
+# ROS on Debian is built for the system's python3; another one first on PATH lacks its modules.
+export PATH="/usr/bin:$PATH"
+
+say() { printf '\033[1;36m==>\033[0m %s\n' "$*"; }
+
+die() {
+  printf '\033[1;31merror:\033[0m %s\n' "$*" >&2
+  exit 1
+}
+
+# Prints the comment block at the head of a script as its help.
+show_help() { sed -n '2,/^$/{s/^# \{0,1\}//p}' "$1"; }
+
+# Runs a command quietly; its output is shown only if it fails.
+quietly() {
+  local log
+  log="$(mktemp)"
+  if ! "$@" >"$log" 2>&1; then
+    tail -n 60 "$log" >&2
+    rm -f "$log"
+    die "failed: $*"
+  fi
+  rm -f "$log"
+}
+
+as_root() {
+  if [[ $EUID -eq 0 ]]; then
+    "$@"
+  else
+    command -v sudo >/dev/null || die "needs root or sudo: $*"
+    sudo "$@"
+  fi
+}
+
+# use_build DIR: what setup.bash of a build adds to the environment.
+use_build() {
+  [[ -f "$1/devel/setup.bash" ]] || die "$1 holds no build; run scripts/build"
+  set +u
+  # shellcheck disable=SC1091
+  source "$1/devel/setup.bash"
+  set -u
+}
+
+# build_preset NAME TARGET...: configures and builds a preset of CMakePresets.json in build/NAME.
+build_preset() {
+  local preset="$1" launcher=()
+  shift
+  if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+  say "Building preset $preset"
+  cd "$ROOT" || return
+  quietly cmake --preset "$preset" ${launcher[@]+"${launcher[@]}"}
+  quietly cmake --build --preset "$preset" --parallel "$(nproc)" --target "$@"
+}
+
+free_port() {
+  local port
+  for _ in $(seq 100); do
+    port=$((20000 + RANDOM % 40000))
+    if ! (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null; then
+      echo "$port"
+      return
+    fi
+  done
+  die "found no free port"
+}
+
+# A ROS master of one's own that no other machine reaches.
+use_private_master() {
+  export ROS_IP=127.0.0.1
+  unset ROS_HOSTNAME
+  ROS_MASTER_URI="http://127.0.0.1:$(free_port)"
+  export ROS_MASTER_URI
+}
+
+# start LOG COMMAND...: runs in the background until stop_children.
+start() {
+  local log="$1"
+  shift
+  "$@" >"$log" 2>&1 </dev/null &
+  CHILDREN+=($!)
+}
+
+# Ends what start began, the latest first. Call it from a trap on EXIT.
+stop_children() {
+  local i pid
+  for ((i = ${#CHILDREN[@]} - 1; i >= 0; --i)); do
+    pid="${CHILDREN[i]}"
+    kill -TERM "$pid" 2>/dev/null || continue
+    for _ in $(seq 50); do
+      kill -0 "$pid" 2>/dev/null || break
+      sleep 0.1
+    done
+    kill -KILL "$pid" 2>/dev/null || true
+    wait "$pid" 2>/dev/null || true
+  done
+  CHILDREN=()
+}
+
+# await SECONDS WHAT COMMAND...: waits until the command succeeds.
+await() {
+  local deadline=$((SECONDS + $1)) what="$2"
+  shift 2
+  until "$@" >/dev/null 2>&1; do
+    [[ $SECONDS -lt $deadline ]] || die "waited in vain for $what"
+    sleep 0.3
+  done
+}

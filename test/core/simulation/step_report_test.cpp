@@ -1,0 +1,56 @@
+// What a frame reports is described in full, so that nothing is missing from files and messages.
+#include "ice_ice_baby/step_report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ice_ice_baby {
+namespace {
+
+/// Bytes of a member, from the start of its struct.
+struct Span {
+  std::size_t begin, size;
+};
+
+TEST(StepReportTest, DescribesEveryMember) {
+  StepReport report;
+  std::vector<Span> members;
+  describe(report, [&](const char*, auto& value, const char*) {
+    const auto at = reinterpret_cast<const char*>(&value) - reinterpret_cast<char*>(&report);
+    members.push_back({std::size_t(at), sizeof value});
+  });
+  std::sort(members.begin(), members.end(),
+            [](const Span& a, const Span& b) { return a.begin < b.begin; });
+  members.push_back({sizeof report, alignof(StepReport)});
+  std::size_t end = 0;
+  for (const Span& member : members) {
+    EXPECT_LT(member.begin - end, member.size) << "undescribed bytes from " << end;
+    end = member.begin + member.size;
+  }
+}
+
+TEST(StepReportTest, EveryNumberHasANameOfItsOwnAndAMeaning) {
+  std::set<std::string> names;
+  describe(StepReport(), [&](const char* name, const auto&, const char* meaning) {
+    EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_GT(std::string(meaning).size(), 5u) << name;
+  });
+  EXPECT_EQ(names.count("frame_wall_s"), 1u);
+}
+
+TEST(StepReportTest, WhatIsReproducibleIsAllButTheWallClock) {
+  std::set<std::string> all, reproducible;
+  const StepReport report;
+  describe(report, [&](const char* name, const auto&, const char*) { all.insert(name); });
+  describeReproducible(
+      [&](const char* name, const auto&, const char*) { reproducible.insert(name); }, report);
+  reproducible.insert("frame_wall_s");
+  EXPECT_EQ(all, reproducible);
+}
+
+}  // namespace
+}  // namespace ice_ice_baby

@@ -1,0 +1,88 @@
+#!/usr/bin/python3
+"""The nodes of examples/ice_ice_baby_examples, against the running node."""
+import os
+import re
+import subprocess
+import sys
+import unittest
+
+FOLDER = os.path.dirname(os.path.abspath(__file__))
+SCRIPTS = os.path.join(FOLDER, "..", "..", "examples", "ice_ice_baby_examples", "scripts")
+sys.path.insert(0, FOLDER)
+
+import roslib.packages
+import rospy
+from tf2_msgs.msg import TFMessage
+
+from harness import Latest, Node, wait_until
+
+SPOON = "ice_ice_baby/scene/spoon"
+
+
+def built(example):
+    return roslib.packages.find_node("ice_ice_baby", "example_" + example)[0]
+
+
+class Examples(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("examples_test")
+        cls.node = Node("/ice_ice_baby")
+
+    def start(self, program):
+        child = subprocess.Popen(
+            [program], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+        )
+        self.addCleanup(self.end, child)
+        return child
+
+    @staticmethod
+    def end(child):
+        child.kill()
+        child.communicate()
+
+    def expect_particles(self, program):
+        line = self.start(program).stdout.readline()
+        found = re.search(r"(\d+) particles, coldest (-?[\d.]+) degrees Celsius", line)
+        self.assertTrue(found, line)
+        state = self.node.state()
+        self.assertEqual(int(found.group(1)), state.particles)
+        self.assertAlmostEqual(float(found.group(2)), state.temperature, delta=0.1)
+
+    def test_1_subscribers_print_the_particles(self):
+        self.expect_particles(built("print_particles"))
+        self.expect_particles(os.path.join(SCRIPTS, "print_particles.py"))
+
+    def test_2_calm_water_freezes(self):
+        child = self.start(built("freeze_when_calm"))
+        output, _ = child.communicate(timeout=60)
+        self.assertIn("Calm after", output)
+        self.assertEqual(child.returncode, 0)
+        self.node.when(lambda s: s.temperature == -1.0 and s.springs > 0, "ice")
+        self.assertTrue(self.node.reset(scene="", preset="").success)
+
+    def test_3_the_spoon_stirs(self):
+        self.start(os.path.join(SCRIPTS, "move_spoon.py"))
+        with Latest("/tf", TFMessage) as tf:
+
+            def places():
+                found = [
+                    t.transform.translation
+                    for m in tf.messages
+                    for t in m.transforms
+                    if t.child_frame_id == SPOON
+                ]
+                return [p for p in found if abs(p.z - 0.15) < 1e-6]
+
+            wait_until(
+                lambda: max((p.x for p in places()), default=0) > 0.11
+                and min(p.x for p in places()) < -0.11,
+                "a circle of the spoon",
+            )
+        self.node.when(lambda s: s.rms_speed_m_s > 0.05, "water that moves")
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rostest.rosrun("ice_ice_baby", "examples", Examples)
