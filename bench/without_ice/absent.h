@@ -1,6 +1,6 @@
-// Stands in for springs, temperature, heat and bodies of ice in a copy of the source in which they
-// do not exist. Each constant is known when the compiler runs, so every branch that needs them
-// goes, and the copy links without their sources: scripts/bench --without-ice says how.
+// Stands in for springs, temperature and what heat changes in a copy of the source in which they do
+// not exist. Each constant is known when the compiler runs, so every branch that needs them goes,
+// and the copy links without their sources: scripts/bench --without-ice says how.
 #pragma once
 
 #include <cstdlib>
@@ -14,7 +14,7 @@ struct Absent {
   constexpr bool has_value() const { return false; }
   void reset() {}
   template <class... Arguments>
-  [[noreturn]] void emplace(const Arguments&...) {
+  [[noreturn]] T& emplace(const Arguments&...) {
     std::abort();
   }
   T* operator->() const { return nullptr; }

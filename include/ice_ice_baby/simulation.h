@@ -78,20 +78,11 @@ class Simulation {
   /// Every `stride`-th particle, ordered by id.
   virtual void sample(std::vector<ParticleSample>& out, std::size_t stride = 1) const = 0;
 
+  /// Volume of every particle over that of water at rest, ordered by id: more for ice, 0 for steam.
+  virtual void sampleRelativeVolumes(std::vector<float>& out) const = 0;
+
   /// Every spring, up to `limit` of them, evenly thinned.
   virtual void sampleSprings(std::vector<SpringSample>& out, std::size_t limit) const = 0;
-
-  /// Density error by the cubic spline with h = 2 d whatever the solver uses: the yardstick by
-  /// which solvers are compared. Mean and maximum of max(rho / rho_0 - 1, 0).
-  struct DensityError {
-    double mean = 0.0;
-    double max = 0.0;
-    double volume_lost = 0.0;  ///< mean of 1 - 1 / max(rho / rho_0, 1): what compression hides
-  };
-  virtual DensityError measureDensityError() = 0;
-
-  /// Particles of blocks that began in a closed container and are no longer inside it.
-  virtual std::size_t countEscaped() const = 0;
 
   /// Stages that this scene holds now, in the order of Algorithm 1.
   virtual std::vector<StageStats> stages() const = 0;

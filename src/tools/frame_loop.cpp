@@ -9,6 +9,7 @@
 
 #include "autosave.h"
 #include "metrics/error_metrics.h"
+#include "metrics/escape_meter.h"
 #include "pictures/frame_writer.h"
 #include "progress_bar.h"
 #include "series_writer.h"
@@ -51,7 +52,10 @@ std::string note(const StepReport& report, const RunRecord& record) {
 /// Everything that observes each frame, including the initial state.
 class Observers {
  public:
-  Observers(Simulation& simulation, const RunOutputs& outputs) : simulation_(simulation) {
+  Observers(const Simulation& simulation, const RunOutputs& outputs, int threads)
+      : simulation_(simulation),
+        density_(simulation.scene(), threads),
+        escapes_(simulation.scene()) {
     if (!outputs.series.empty()) series_.emplace(outputs.series);
     if (!outputs.record.empty()) record_.emplace(outputs.record, simulation.report().particles);
     const FrameView start = view(0.0);
@@ -64,7 +68,7 @@ class Observers {
     for (const auto& recorder : recorders_) recorder->add(frame);
     write(frame);
     record.addSample(frame.report(), frame.error);
-    record.escaped = std::max(record.escaped, simulation_.countEscaped());
+    record.escaped = std::max(record.escaped, escapes_.count(simulation_, particles_));
   }
 
   std::vector<ErrorMetric> metrics() const {
@@ -81,14 +85,16 @@ class Observers {
     seen_frame_ = frame;
     seen_wall_s_ = wall_s;
     simulation_.sample(particles_);
-    return {simulation_, particles_, simulation_.measureDensityError(), frame_wall_s};
+    return {simulation_, particles_, density_.measure(simulation_, particles_), frame_wall_s};
   }
   void write(const FrameView& frame) {
     if (series_) series_->add(frame);
     if (record_) record_->add(frame);
   }
 
-  Simulation& simulation_;
+  const Simulation& simulation_;
+  DensityMeter density_;
+  EscapeMeter escapes_;
   std::vector<ParticleSample> particles_;
   std::uint64_t seen_frame_ = 0;
   double seen_wall_s_ = 0.0;
@@ -99,7 +105,7 @@ class Observers {
 
 }  // namespace
 
-RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double end_s) {
+RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double end_s, int threads) {
   const Scene& scene = simulation.scene();
   const auto first = static_cast<std::size_t>(simulation.report().frame);
   const auto end = static_cast<std::size_t>(std::ceil(end_s * scene.solver.frame_rate_hz - 1e-9));
@@ -107,7 +113,7 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double en
   const double every = std::max(1.0, scene.solver.frame_rate_hz / outputs.frames_hz);
   std::unique_ptr<FrameWriter> pictures;
   if (!outputs.frames.empty()) pictures = std::make_unique<FrameWriter>(outputs.frames, scene);
-  Observers observers(simulation, outputs);
+  Observers observers(simulation, outputs, threads);
   RunRecord record;
   record.started_s = simulation.report().time_s;
   ResidualSpeed residual(scene);

@@ -21,7 +21,8 @@ struct RunOutputs {
 /// Runs frames until simulated time `end_s`, until a value is not finite, or, if the run is saved,
 /// until it is interrupted. Error metrics apply to whole runs, so a run continued from a checkpoint
 /// has none.
+/// @param threads used to measure the error, 0: all of the machine's
 /// @throws InvalidInput if an output cannot be written; a failed autosave is only a warning
-RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double end_s);
+RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double end_s, int threads);
 
 }  // namespace ice_ice_baby

@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "ice_ice_baby/simulation.h"
+#include "metrics/density_meter.h"
 
 namespace ice_ice_baby {
 
 struct FrameView {
   const Simulation& simulation;
   const std::vector<ParticleSample>& particles;  ///< all particles, by id
-  Simulation::DensityError error;
+  DensityError error;
   double frame_wall_s;  ///< mean over the frames since the previous view
 
   const StepReport& report() const { return simulation.report(); }

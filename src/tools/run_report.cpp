@@ -80,7 +80,7 @@ void RunRecord::addFrame(const StepReport& report) {
   max_steam = std::max(max_steam, report.steam_particles);
 }
 
-void RunRecord::addSample(const StepReport& report, const Simulation::DensityError& error) {
+void RunRecord::addSample(const StepReport& report, const DensityError& error) {
   ++samples;
   const double weight = 1.0 / double(samples);
   density_error_mean += weight * (error.mean - density_error_mean);

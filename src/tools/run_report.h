@@ -32,7 +32,7 @@ struct RunRecord {
   std::vector<ErrorMetric> metrics;
 
   void addFrame(const StepReport& report);
-  void addSample(const StepReport& report, const Simulation::DensityError& error);
+  void addSample(const StepReport& report, const DensityError& error);
   /// Seconds of simulated time per second of wall time, at simulated time `time_s`.
   double realTimeFactor(double time_s) const;
 };

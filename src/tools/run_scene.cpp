@@ -191,7 +191,7 @@ int runScene(const Options& options) {
     std::fprintf(stderr, "run_scene: warning: scene \"%s\" holds no water: it has no blocks\n",
                  simulation->scene().name.c_str());
   }
-  RunRecord record = runFrames(*simulation, options.outputs, end_s);
+  RunRecord record = runFrames(*simulation, options.outputs, end_s, options.threads);
   record.precision = simulation->precision() == Precision::kDouble ? "double" : "float";
   record.threads = options.threads > 0 ? options.threads : int(std::thread::hardware_concurrency());
   printSummary(*simulation, record);

@@ -42,8 +42,9 @@ class Watched final : public Simulation {
     ++spring_samples;
     real_->sampleSprings(out, limit);
   }
-  DensityError measureDensityError() override { return real_->measureDensityError(); }
-  std::size_t countEscaped() const override { return real_->countEscaped(); }
+  void sampleRelativeVolumes(std::vector<float>& out) const override {
+    real_->sampleRelativeVolumes(out);
+  }
   std::vector<StageStats> stages() const override { return real_->stages(); }
   std::uint64_t stateHash() const override { return real_->stateHash(); }
   Precision precision() const override { return real_->precision(); }

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "ice_ice_baby/scene_loader.h"
+#include "metrics/density_meter.h"
 #include "metrics/error_metrics.h"
+#include "metrics/escape_meter.h"
 #include "run_report.h"
 
 namespace ice_ice_baby::test {
@@ -75,7 +77,10 @@ class WatchedRun {
  public:
   /// @param figures takes those of this run when it ends
   WatchedRun(Figures& figures, std::unique_ptr<Simulation> simulation)
-      : figures_(figures), simulation_(std::move(simulation)) {
+      : figures_(figures),
+        simulation_(std::move(simulation)),
+        density_(simulation_->scene()),
+        escapes_(simulation_->scene()) {
     simulation_->sample(particles_);
     started_with_ = particles_.size();
     recorders_ = metricsFor(view());
@@ -91,7 +96,7 @@ class WatchedRun {
   const std::vector<ParticleSample>& particles() const { return particles_; }
   double fastest_m_s() const { return record_.fastest_m_s; }
   /// Mean over the particles, now.
-  double densityError() { return simulation_->measureDensityError().mean; }
+  double densityError() { return density_.measure(*simulation_, particles_).mean; }
 
   void frames(int count) {
     for (int k = 0; k < count && !testing::Test::HasFailure(); ++k) frame();
@@ -103,7 +108,7 @@ class WatchedRun {
     const FrameView frame = view();
     for (const auto& recorder : recorders_) recorder->add(frame);
     record_.addSample(report, frame.error);
-    record_.escaped = std::max(record_.escaped, simulation_->countEscaped());
+    record_.escaped = std::max(record_.escaped, escapes_.count(*simulation_, particles_));
     EXPECT_EQ(report.non_finite, 0u) << "frame " << report.frame;
     EXPECT_EQ(particles_.size(), started_with_) << "frame " << report.frame;
     EXPECT_EQ(record_.escaped, 0u) << "frame " << report.frame;
@@ -120,10 +125,14 @@ class WatchedRun {
   }
 
  private:
-  FrameView view() { return {*simulation_, particles_, simulation_->measureDensityError(), 0.0}; }
+  FrameView view() {
+    return {*simulation_, particles_, density_.measure(*simulation_, particles_), 0.0};
+  }
 
   Figures& figures_;
   std::unique_ptr<Simulation> simulation_;
+  DensityMeter density_;
+  EscapeMeter escapes_;
   std::vector<ParticleSample> particles_;
   std::size_t started_with_ = 0;
   std::vector<std::unique_ptr<MetricRecorder>> recorders_;

@@ -67,8 +67,8 @@ TEST(SeriesWriterTest, HasAColumnForEveryNumberOfAFrame) {
   const std::string path = testing::TempDir() + "series_writer_test.csv";
   {
     SeriesWriter series(path);
-    series.add({*simulation, particles, simulation->measureDensityError(), 0.5});
-    series.add({*simulation, particles, simulation->measureDensityError(), 0.5});
+    series.add({*simulation, particles, measureDensityError(*simulation), 0.5});
+    series.add({*simulation, particles, measureDensityError(*simulation), 0.5});
   }
   std::istringstream lines(textOf(path));
   std::string header, row, line;

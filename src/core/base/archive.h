@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -51,9 +50,9 @@ class StateWriter {
     for (const Item& item : items) write_item(item);
   }
 
-  /// Writes an optional value. `made_of` are the constructor arguments that the reader uses.
-  template <class T, class Made>
-  void optional(const std::optional<T>& value, const Made&) {
+  /// Writes a value of a std::optional or the like. `made_of` are the constructor arguments that the reader uses.
+  template <class Optional, class Made>
+  void optional(const Optional& value, const Made&) {
     write(value.has_value());
     if (value) write(*value);
   }
@@ -123,8 +122,8 @@ class StateReader {
   }
 
   /// @param made_of constructor arguments of the value before it is read
-  template <class T, class Made>
-  void optional(std::optional<T>& value, const Made& made_of) {
+  template <class Optional, class Made>
+  void optional(Optional& value, const Made& made_of) {
     bool there = false;
     read(there);
     value.reset();

@@ -98,16 +98,17 @@ std::unique_ptr<Simulation> simulationFrom(StateReader& reader, int threads) {
   describe(scene, SceneArchive<StateReader>(reader));
   validate(scene);
   requireMemory(scene, machineMemory_bytes());
-  std::uint64_t particles = 0;
-  reader(particles);
+  std::uint32_t particles = 0, came = 0;
+  reader(particles, came);
   constexpr std::size_t kLeast_bytes = 9 * sizeof(Real);  // places, velocities, where lists began
   const bool fits = particles <= reader.left() / kLeast_bytes;
-  if (!fits || particles != std::uint64_t(particleCount(scene))) {
+  const std::uint64_t ever = std::uint64_t(particleCount(scene)) + came;
+  if (!fits || particles > ever || ever > kNone) {
     throw InvalidInput("its state makes no sense: " + std::to_string(particles) +
-                       " particles where the scene has " + std::to_string(particleCount(scene)));
+                       " particles where there have been " + std::to_string(ever));
   }
   auto simulation = std::make_unique<Simulator<Real>>(scene, threads);
-  simulation->read(reader);
+  simulation->read(reader, particles, came);
   if (reader.left() > 0) throw InvalidInput("its state goes on behind its end");
   return simulation;
 }

@@ -30,7 +30,7 @@ bool isPlacement(const Placement& placement) {
 }  // namespace
 
 template <class Real>
-void IceBodies<Real>::settleBody(const IceBody& body, const Particles<Real>& particles) const {
+void IceBodies<Real>::restoreBody(const IceBody& body, const Particles<Real>& particles) const {
   const bool placed = isPlacement(body.pose) && isPlacement(body.next) && isPlacement(body.hold);
   requireSense(placed, "a body that is nowhere");
   Mat3<double> inertia =
@@ -61,7 +61,7 @@ void IceBodies<Real>::settleBody(const IceBody& body, const Particles<Real>& par
 }
 
 template <class Real>
-void IceBodies<Real>::settle(const Particles<Real>& particles, const Colliders<Real>& colliders) {
+void IceBodies<Real>::restore(const Particles<Real>& particles, const Colliders<Real>& colliders) {
   const std::size_t members = place_.size();
   requireSense(
       distinct(place_, particles.size()) && offset_.size() == members && outward_.size() == members,
@@ -73,7 +73,7 @@ void IceBodies<Real>::settle(const Particles<Real>& particles, const Colliders<R
     requireSense(follows, "a body of no members");
     requireSense(belowOrNone(body.anchor, colliders.count()), "a body that no collider carries");
     requireSense(belowOrNone(body.island, bodies_.size()), "a body beside none");
-    settleBody(body, particles);
+    restoreBody(body, particles);
     body_of_.resize(body.last, static_cast<Index>(&body - bodies_.data()));
   }
   requireSense(body_of_.size() == members, "members of no body");
@@ -86,7 +86,7 @@ void IceBodies<Real>::settle(const Particles<Real>& particles, const Colliders<R
 }
 
 template <class Real>
-void IceContacts<Real>::settle(const IceBodies<Real>& bodies) const {
+void IceContacts<Real>::restore(const IceBodies<Real>& bodies) const {
   // Contacts may be those of the members before the latest change: followMembers renumbers them.
   const bool follows = generation_ + 1 == bodies.generation();
   const bool known = follows || generation_ == bodies.generation();
@@ -101,8 +101,8 @@ void IceContacts<Real>::settle(const IceBodies<Real>& bodies) const {
       const bool alone = contact.b == kNone && contact.member_b == kNone;
       const bool other = alone || touches(contact.b, contact.member_b);
       requireSense(touches(contact.a, contact.member_a) && other, "a contact of no bodies");
-      requireSense(within(contact.pressed, 0.0, kHardest_kg_m) &&
-                       contact.rubbed.cwiseAbs().maxCoeff() <= kHardest_kg_m,
+      requireSense(within(contact.normal_multiplier, 0.0, kHardest_kg_m) &&
+                       contact.friction_multiplier.cwiseAbs().maxCoeff() <= kHardest_kg_m,
                    "a contact that presses as hard as nothing can");
     }
   }
@@ -111,9 +111,9 @@ void IceContacts<Real>::settle(const IceBodies<Real>& bodies) const {
   }
 }
 
-template void IceBodies<float>::settle(const Particles<float>&, const Colliders<float>&);
-template void IceBodies<double>::settle(const Particles<double>&, const Colliders<double>&);
-template void IceContacts<float>::settle(const IceBodies<float>&) const;
-template void IceContacts<double>::settle(const IceBodies<double>&) const;
+template void IceBodies<float>::restore(const Particles<float>&, const Colliders<float>&);
+template void IceBodies<double>::restore(const Particles<double>&, const Colliders<double>&);
+template void IceContacts<float>::restore(const IceBodies<float>&) const;
+template void IceContacts<double>::restore(const IceBodies<double>&) const;
 
 }  // namespace ice_ice_baby

@@ -37,8 +37,12 @@ bool noFurther(const VectorField<Real>& field, double most) {
 }  // namespace
 
 template <class Real>
-void Particles<Real>::settle(std::size_t count) {
-  requireSense(id.size() == count && distinct(id, count), "not every particle is there once");
+void Particles<Real>::restore(std::size_t count) {
+  std::vector<std::uint32_t> sorted = id;
+  std::sort(sorted.begin(), sorted.end());
+  const bool once = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  requireSense(id.size() == count && once && (count == 0 || sorted.back() < next_id),
+               "not every particle is there once");
   requireSense(holds(position, count) && holds(velocity, count), "particles without a place");
   requireSense(noFurther(position, kFurthest_m), "particles out of reach");
   requireSense(noFurther(velocity, kFastest_m_s), "particles of no possible speed");
@@ -46,7 +50,7 @@ void Particles<Real>::settle(std::size_t count) {
 }
 
 template <class Real>
-void DensityConstraint<Real>::settle(std::size_t particles) {
+void DensityConstraint<Real>::restore(std::size_t particles) {
   const std::size_t started = warmStarts() ? particles : 0;
   requireSense(density_.size() == particles && multiplier_.size() == particles &&
                    holds(correction_, started),
@@ -58,8 +62,11 @@ void DensityConstraint<Real>::settle(std::size_t particles) {
 }
 
 template <class Real>
-void Neighbours<Real>::settle(std::size_t particles) {
-  if (particles == 0) return;
+void Neighbours<Real>::restore(std::size_t particles) {
+  if (particles == 0) {
+    count_.clear();
+    return;
+  }
   requireSense(holds(built_at_, particles + kPadding) && builds_ > 0, "lists of other particles");
   VectorField<Real> where = built_at_;
   where.resize(particles);
@@ -85,7 +92,7 @@ void Colliders<Real>::restore() const {
 }
 
 template <class Real>
-void Springs<Real>::settle(std::size_t particles) const {
+void Springs<Real>::restore(std::size_t particles) const {
   requireSense(sheet_count_ <= springs_.size(), "sheets of more springs than there are");
   for (const Spring<Real>& spring : springs_) {
     requireSense(spring.a < particles && spring.b < particles, "a spring that joins no particles");
@@ -93,7 +100,7 @@ void Springs<Real>::settle(std::size_t particles) const {
   }
 }
 
-void Temperature::settle() const {
+void Temperature::restore() const {
   const auto possible = [](const TemperatureEvent& event) {
     return isTemperature(event.celsius) && within(event.ramp_s, 0.0, kLongestRamp_s);
   };
@@ -104,7 +111,7 @@ void Temperature::settle() const {
 }
 
 template <class Real>
-void ThermalBoundaries<Real>::settle() const {
+void ThermalBoundaries<Real>::restore() const {
   for (const Surface& one : surfaces_) {
     requireSense(isTemperature(one.celsius) && isTemperature(one.target_c) &&
                      within(one.ramp_left_s, 0.0, kLongestRamp_s),
@@ -112,13 +119,13 @@ void ThermalBoundaries<Real>::settle() const {
   }
 }
 
-void HeatedRegions::settle(const Scene& scene) const {
+void HeatedRegions::restore(const Scene& scene) const {
   requireSense(active_.size() <= kMaxHeatedRegions, "too many heated regions");
   for (const HeatedRegion& region : active_) requireHeatedRegion(scene, region);
 }
 
 template <class Real>
-void ThermalSolver<Real>::settle(std::size_t particles, const Scene& scene) const {
+void ThermalSolver<Real>::restore(std::size_t particles, const Scene& scene) const {
   requireSense(enthalpy_.size() == particles && received_.size() == particles,
                "heat of other particles");
   const bool possible = std::all_of(enthalpy_.begin(), enthalpy_.end(), [&](double enthalpy_j_kg) {
@@ -127,22 +134,24 @@ void ThermalSolver<Real>::settle(std::size_t particles, const Scene& scene) cons
   requireSense(possible && allWithin(received_, -kMost, kMost), "water hotter or colder than any");
   requireSense(within(passes_, 0, kMostPasses) && longest_pass_s_ >= 0.0 && reached_speedup_ >= 0.0,
                "heat that flows at no possible rate");
-  walls_.settle();
-  regions_.settle(scene);
+  walls_.restore();
+  regions_.restore(scene);
 }
 
 template <class Real>
-void Phases<Real>::settle(std::size_t particles, std::size_t colliders) {
-  for (const std::size_t size : {phase_.size(), share_.size(), full_share_.size(), slush_.size(),
-                                 wet_.size(), pressed_.size(), stuck_to_.size()}) {
+void Phases<Real>::restore(std::size_t particles, std::size_t colliders) {
+  for (const std::size_t size : {phase_.size(), relative_volume_.size(), target_volume_.size(),
+                                 slush_.size(), wet_.size(), pressed_.size(), stuck_to_.size()}) {
     requireSense(size == particles, "phases of other particles");
   }
   ice_count_ = steam_count_ = 0;
+  for (auto* flags : {&steam_, &flows_, &new_ice_}) flags->assign(particles, 0);
   for (std::size_t i = 0; i < particles; ++i) {
     requireSense(phase_[i] <= Phase::kSteam, "a phase that does not exist");
     requireSense(belowOrNone(stuck_to_[i], colliders), "ice that sticks to no collider");
     // Nothing is less or more dense than water by more than a factor of two, but for steam.
-    requireSense(within(double(share_[i]), 0.0, 2.0) && within(double(full_share_[i]), 0.0, 2.0) &&
+    requireSense(within(double(relative_volume_[i]), 0.0, 2.0) &&
+                     within(double(target_volume_[i]), 0.0, 2.0) &&
                      within(double(slush_[i]), 0.0, 1.0),
                  "a phase of no possible volume");
     ice_count_ += phase_[i] == Phase::kIce;
@@ -153,37 +162,36 @@ void Phases<Real>::settle(std::size_t particles, std::size_t colliders) {
 }
 
 template <class Real>
-void Simulator<Real>::settle() {
-  const std::size_t n = particles_.size();
-  std::size_t spawned = 0;
-  for (const Spawn& spawn : spawns_) spawned += spawn.count;
-  particles_.settle(spawned);
-  density_->settle(n);
+void PhaseChange<Real>::restore(const Particles<Real>& particles) {
+  heat_.restore(particles.size(), scene_);
+  phases_.restore(particles.size(), colliders_.count());
+  updateSteam();
+  requireSense(bodies_.has_value() == contacts_.has_value() && (rigid() || !bodies_),
+               "bodies of ice where there can be none");
+  requireSense(
+      within(heat_due_s_, 0.0, kLongestWait_s) && within(phases_due_s_, 0.0, kLongestWait_s),
+      "heat that waits too long");
+  if (!bodies_) return;
+  bodies_->restore(particles, colliders_);
+  contacts_->restore(*bodies_);
+}
+
+template <class Real>
+void Simulator<Real>::restore(std::size_t n) {
+  particles_.restore(n);
+  fluid_->restore(n);
   colliders_.restore();
   requireSense(substeps_ >= 1 && substeps_ <= 1000, "a number of substeps that cannot be");
   requireSense(within(strictness_, 0.0, 1.0), "ice that is more than frozen");
-  requireSense(within(heat_due_s_, 0.0, kLongestWait_s) &&
-                   within(phases_due_s_, 0.0, kLongestWait_s) && still_s_ >= 0.0 &&
-                   report_.time_s >= 0.0 && within(report_.substeps, 0, 1000),
+  requireSense(still_s_ >= 0.0 && report_.time_s >= 0.0 && within(report_.substeps, 0, 1000),
                "a time that cannot be");
-  temperature_.settle();
+  temperature_.restore();
   report_.particles = n;
   report_.springs = springs_ ? springs_->size() : 0;
-  if (springs_) springs_->settle(n);
-  if (heat_) {
-    heat_->settle(n, scene_);
-    phases_->settle(n, colliders_.count());
-    if (phases_->steamCount() > 0) steam_.emplace(scene_.steam);
-    if (phases_->steamCount() == 0) steam_.reset();
-  }
-  requireSense(bodies_.has_value() == contacts_.has_value() && (rigidIce() || !bodies_),
-               "bodies of ice where there can be none");
-  if (bodies_) {
-    bodies_->settle(particles_, colliders_);
-    contacts_->settle(*bodies_);
-  }
+  if (springs_) springs_->restore(n);
+  if (phase_change_) phase_change_->restore(particles_);
   temperature_.advanceTo(report_.time_s);
-  arena_.execute([&] { neighbours_.settle(n); });
+  arena_.execute([&] { neighbours_.restore(n); });
 }
 
 template class Simulator<float>;

@@ -1,29 +1,56 @@
 // All state of a simulator as one list, and what is made of it: bytes, their hash, the way back.
 #include <cstdint>
 
+#include "checkpoint/restored_state.h"
 #include "checkpoint/scene_archive.h"
 #include "simulation/simulator.h"
 
 namespace ice_ice_baby {
 
+namespace {
+
+/// What stands in the place of PhaseChange where the scene has no heat.
+struct NoPhaseChange {
+  bool bodies = false, contacts = false;
+  double heat_due_s = 0.0, phases_due_s = 0.0;
+
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.bodies, self.contacts);
+  }
+  template <class Self, class Archive>
+  static void exchangeTimes(Self& self, Archive& archive) {
+    archive(self.heat_due_s, self.phases_due_s);
+  }
+  void restore() const {
+    requireSense(!bodies && !contacts, "bodies of ice where there can be none");
+    requireSense(heat_due_s == 0.0 && phases_due_s == 0.0, "heat where there can be none");
+  }
+};
+
+}  // namespace
+
 /// All that decides on the frames to come, but for the scene.
 template <class Real>
 template <class Self, class Archive>
 void Simulator<Real>::exchange(Self& self, Archive& archive) {
-  archive(self.particles_, self.neighbours_, self.temperature_, self.colliders_, *self.density_);
+  archive(self.particles_, self.neighbours_, self.temperature_, self.colliders_, *self.fluid_);
   archive.optional(self.springs_, self.scene_.springs);
-  archive.optional(self.bodies_, self.scene_);
-  archive.optional(self.contacts_, self.scene_);
-  if (self.heat_) archive(*self.heat_, *self.phases_);
-  archive(self.substeps_, self.strictness_, self.heat_due_s_, self.phases_due_s_, self.still_s_,
-          self.colliders_moving_, self.report_.asleep);
+  NoPhaseChange none;
+  if (self.phase_change_) archive(*self.phase_change_);
+  if (!self.phase_change_) archive(none);
+  archive(self.substeps_, self.strictness_);
+  if (self.phase_change_) PhaseChange<Real>::exchangeTimes(*self.phase_change_, archive);
+  if (!self.phase_change_) NoPhaseChange::exchangeTimes(none, archive);
+  none.restore();
+  archive(self.still_s_, self.colliders_moving_, self.report_.asleep);
 }
 
 template <class Real>
 void Simulator<Real>::writeState(StateWriter& writer) const {
   Scene described = scene_;
   describe(described, SceneArchive<StateWriter>(writer));
-  writer(std::uint64_t(particles_.size()));
+  writer(std::uint32_t(particles_.size()), particles_.next_id - spawned());
   exchange(*this, writer);
 }
 
@@ -34,10 +61,11 @@ void Simulator<Real>::write(StateWriter& writer) const {
 }
 
 template <class Real>
-void Simulator<Real>::read(StateReader& reader) {
+void Simulator<Real>::read(StateReader& reader, std::uint32_t particles, std::uint32_t came) {
+  particles_.next_id = spawned() + came;
   exchange(*this, reader);
   reader(report_);
-  settle();
+  restore(particles);
 }
 
 /// FNV-1a.

@@ -71,7 +71,7 @@ void DensityConstraint<Real>::computeLambda(const Particles<Real>& particles,
   const VectorField<Real>& x = particles.predicted;
   resize(x.size());
   if (phases_) {
-    positions_.pack(x, phases_->share());
+    positions_.pack(x, phases_->relativeVolume());
   } else {
     positions_.pack(x);
   }
@@ -104,8 +104,8 @@ void DensityConstraint<Real>::addWalls(const VectorField<Real>& x, ParticleRange
 /// Turns the sums over neighbours, which lie where the results will, into density and lambda.
 template <class Real>
 void DensityConstraint<Real>::finishLambda(std::size_t i) {
-  const Real own_share = phases_ ? phases_->share()[i] : Real(1);
-  const Real relative = self_ * own_share + weight_scale_ * density_[i];
+  const Real own_volume = phases_ ? phases_->relativeVolume()[i] : Real(1);
+  const Real relative = self_ * own_volume + weight_scale_ * density_[i];
   const Vec3<Real> own = gradient_scale_ * delta_p_.at(i);  // grad_i C_i, Eq. 4 for itself
   const Real slope_scale = gradient_scale_ * support_;
   const Real others = slope_scale * slope_scale * lambda_[i];  // |grad_j C_i|^2, for a neighbour
@@ -131,7 +131,7 @@ void DensityConstraint<Real>::computeDeltaP(const Particles<Real>& particles,
                                             const Neighbours<Real>& neighbours) {
   positions_.pack(particles.predicted, lambda_);
   PairInput<Real> pairs{neighbours, positions_.data(), nullptr, support_};
-  if (phases_) pairs.shares = phases_->share().data();
+  if (phases_) pairs.relative_volumes = phases_->relativeVolume().data();
   const auto computeRun = [&](ParticleRange run) {
     passes_.sumCorrections(pairs, delta_p_, run);
     for (std::size_t i = run.first; i < run.last; ++i) finishDeltaP(i);
@@ -187,10 +187,11 @@ void DensityConstraint<Real>::rescaleWarmStart(double ratio) {
 
 template <class Real>
 void DensityConstraint<Real>::reorder(const std::vector<Index>& order) {
-  resize(order.size());
-  std::vector<Real>& scratch = lambda_;  // computed anew before it is read
+  if (multiplier_.size() < order.size()) resize(order.size());  // what came starts from nothing
+  std::vector<Real>& scratch = lambda_;                         // computed anew before it is read
   permute(multiplier_, order, scratch);
   if (warmStarts()) permute(correction_, order, scratch);
+  resize(order.size());
 }
 
 template <class Real>

@@ -64,7 +64,7 @@ class DensityConstraint {
     archive(self.density_, self.multiplier_, self.correction_);
   }
   /// @throws InvalidInput when what was read is not that of `particles` particles
-  void settle(std::size_t particles);
+  void restore(std::size_t particles);
 
  private:
   void resize(std::size_t n);

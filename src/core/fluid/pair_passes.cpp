@@ -121,7 +121,7 @@ struct Poly6SpikyShape {
 /// All particles are water: nothing to weigh.
 struct Water {
   template <class Vec>
-  static HWY_INLINE Vec share(Vec weight, Vec) {
+  static HWY_INLINE Vec scaled(Vec weight, Vec) {
     return weight;
   }
   template <class D, class Real>
@@ -139,15 +139,15 @@ struct Water {
 /// Water, ice and steam: see mixturePairPasses.
 struct Mixed {
   template <class Vec>
-  static HWY_INLINE Vec share(Vec weight, Vec share) {
-    return hn::Mul(weight, share);
+  static HWY_INLINE Vec scaled(Vec weight, Vec volume) {
+    return hn::Mul(weight, volume);
   }
   template <class D, class Real>
   static HWY_INLINE hn::Vec<D> multiplier(D d, hn::Vec<D> own, hn::Vec<D> other,
                                           const PairInput<Real>& in, std::size_t i,
                                           const Index* j) {
-    const auto own_share = hn::Set(d, in.shares[i]);
-    return hn::MulAdd(own, loadEach(d, in.shares, j), hn::Mul(other, own_share));
+    const auto own_volume = hn::Set(d, in.relative_volumes[i]);
+    return hn::MulAdd(own, loadEach(d, in.relative_volumes, j), hn::Mul(other, own_volume));
   }
   template <class D, class Real>
   static HWY_INLINE Columns<D> difference(D d, const Columns<D>& own, const Columns<D>& other,
@@ -178,9 +178,9 @@ void sumConstraint(const PairInput<Real>& in, ConstraintSums<Real> out, Particle
     forEachVector(d, in.neighbours.of(i), [&](const Index* j, auto kept) HWY_ATTR {
       const auto pairs = loadPairs(d, own, inverse_h2, in.positions, j, kept);
       const auto q = hn::Sqrt(pairs.square);
-      const auto weight = Kind::share(Shape::weight(d, q, pairs.square), pairs.fourth);
+      const auto weight = Kind::scaled(Shape::weight(d, q, pairs.square), pairs.fourth);
       const auto slope =
-          hn::IfThenElseZero(pairs.within, Kind::share(Shape::slope(d, q), pairs.fourth));
+          hn::IfThenElseZero(pairs.within, Kind::scaled(Shape::slope(d, q), pairs.fourth));
       density = hn::Add(density, hn::IfThenElseZero(pairs.within, weight));
       squares = hn::MulAdd(hn::Mul(slope, slope), pairs.square, squares);
       x = hn::MulAdd(slope, pairs.x, x);

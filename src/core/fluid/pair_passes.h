@@ -41,7 +41,7 @@ struct PairInput {
   const Real* values;     ///< (n, 4) packed, of what the pass spreads
   Real support;           ///< h, m
   /// (n) volume over that of water; null where all particles are water.
-  const Real* shares = nullptr;
+  const Real* relative_volumes = nullptr;
   Real shear = 0;  ///< of a mixture: see mixturePairPasses
 };
 
@@ -73,9 +73,9 @@ template <class Real>
 PairPasses<Real> pairPasses(KernelPair kernel);
 
 /// The same where particles differ in volume, as water, ice and steam do:
-/// - sumConstraint counts neighbour j share_j times, the share in the fourth column of the
+/// - sumConstraint counts neighbour j v_j times, the relative volume v in the fourth column of the
 ///   positions;
-/// - sumCorrections sums (lambda_i share_j + lambda_j share_i) s (x_i - x_j), the gradient of that;
+/// - sumCorrections sums (lambda_i v_j + lambda_j v_i) s (x_i - x_j), the gradient of that;
 /// - addDifferences weighs a pair with the lesser of both fourth columns of the values, unless both
 ///   are kRigidGrip. What that is above `shear` acts along the line between the two only, which
 ///   keeps angular momentum.

@@ -101,18 +101,20 @@ double IceContacts<Real>::violation(const Rows& rows, const Row& row) const {
 template <class Real>
 double IceContacts<Real>::relax(const Rows& rows, Contact& contact) {
   const Row& normal = rows.normal;
-  const double wanted = contact.pressed - violation(rows, normal) / normal.inverse_mass;
-  const double pressed = std::max(0.0, wanted);
-  double moved = std::abs(pressed - contact.pressed) * normal.inverse_mass;
-  if (pressed != contact.pressed) apply(rows, normal, pressed - contact.pressed);
-  contact.pressed = pressed;
-  if (contact.friction == 0 || (pressed == 0 && contact.rubbed.isZero(0))) return moved;
+  const double wanted = contact.normal_multiplier - violation(rows, normal) / normal.inverse_mass;
+  const double pressing = std::max(0.0, wanted);
+  double moved = std::abs(pressing - contact.normal_multiplier) * normal.inverse_mass;
+  if (pressing != contact.normal_multiplier)
+    apply(rows, normal, pressing - contact.normal_multiplier);
+  contact.normal_multiplier = pressing;
+  if (contact.friction == 0 || (pressing == 0 && contact.friction_multiplier.isZero(0)))
+    return moved;
 
-  const double before_first = contact.rubbed.dot(rows.first.axis);
-  const double before_second = contact.rubbed.dot(rows.second.axis);
+  const double before_first = contact.friction_multiplier.dot(rows.first.axis);
+  const double before_second = contact.friction_multiplier.dot(rows.second.axis);
   double first = before_first - violation(rows, rows.first) / rows.first.inverse_mass;
   double second = before_second - violation(rows, rows.second) / rows.second.inverse_mass;
-  const double most = contact.friction * pressed;
+  const double most = contact.friction * pressing;
   const double size = std::hypot(first, second);
   if (size > most) {
     first *= most / size;
@@ -120,7 +122,7 @@ double IceContacts<Real>::relax(const Rows& rows, Contact& contact) {
   }
   apply(rows, rows.first, first - before_first);
   apply(rows, rows.second, second - before_second);
-  contact.rubbed = first * rows.first.axis + second * rows.second.axis;
+  contact.friction_multiplier = first * rows.first.axis + second * rows.second.axis;
   moved = std::max(moved, std::abs(first - before_first) * rows.first.inverse_mass);
   return std::max(moved, std::abs(second - before_second) * rows.second.inverse_mass);
 }
@@ -135,8 +137,8 @@ void IceContacts<Real>::levelMomenta(IceBodies<Real>& bodies) {
     IceBody& a = bodies.body(contact.a);
     IceBody& b = bodies.body(contact.b);
     if (a.held() || b.held()) continue;
-    const Vec3d given =
-        contact.pressed * contact.normal + contact.rubbed - rows_[walls_.size() + k].given;
+    const Vec3d given = contact.normal_multiplier * contact.normal + contact.friction_multiplier -
+                        rows_[walls_.size() + k].given;
     const Vec3d passed = (a.next.centre_m - a.pose.centre_m) - (b.next.centre_m - b.pose.centre_m);
     const Vec3d turn = contact.met * passed.cross(given) / (2 * bodies.dt_s());
     a.angular_momentum += turn;
@@ -163,10 +165,10 @@ void IceContacts<Real>::beginMoves(const IceBodies<Real>& bodies) {
 /// Gives the bodies at once what the latest substep ended with.
 template <class Real>
 void IceContacts<Real>::applyWarm(const Rows& rows, Contact& contact) {
-  apply(rows, rows.normal, contact.pressed);
-  const double first = contact.rubbed.dot(rows.first.axis);
-  const double second = contact.rubbed.dot(rows.second.axis);
-  contact.rubbed = first * rows.first.axis + second * rows.second.axis;
+  apply(rows, rows.normal, contact.normal_multiplier);
+  const double first = contact.friction_multiplier.dot(rows.first.axis);
+  const double second = contact.friction_multiplier.dot(rows.second.axis);
+  contact.friction_multiplier = first * rows.first.axis + second * rows.second.axis;
   apply(rows, rows.first, first);
   apply(rows, rows.second, second);
 }
@@ -186,7 +188,7 @@ void IceContacts<Real>::noteLoads(IceBodies<Real>& bodies) {
   };
   for (std::size_t k = 0; k < count(); ++k) {
     const Contact& contact = contactAt(k);
-    if (contact.pressed == 0) continue;
+    if (contact.normal_multiplier == 0) continue;
     IceBody& a = bodies.body(contact.a);
     const bool wall = contact.b == kNone;
     if (wall || bodies.body(contact.b).held()) {
@@ -210,7 +212,9 @@ void IceContacts<Real>::solve(IceBodies<Real>& bodies, VectorField<Real>& predic
     Contact& contact = contactAt(k);
     Rows& rows = rows_[k];
     makeRows(bodies, contact, rows);
-    rows.given = warm_ ? Vec3d::Zero() : Vec3d(contact.pressed * contact.normal + contact.rubbed);
+    rows.given =
+        warm_ ? Vec3d::Zero()
+              : Vec3d(contact.normal_multiplier * contact.normal + contact.friction_multiplier);
     if (warm_) applyWarm(rows, contact);
   }
   warm_ = false;

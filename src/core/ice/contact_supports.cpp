@@ -60,7 +60,7 @@ bool IceContacts<Real>::keepFace(const IceBodies<Real>& bodies,
     const Contact& other = contacts[k];
     if (stays_[k - first] != kOpen || other.b != one.b || other.collider != one.collider) continue;
     if (other.normal.dot(one.normal) < kParallel) continue;
-    const bool bears = other.pressed > 0;
+    const bool bears = other.normal_multiplier > 0;
     stays_[k - first] = bears ? kStays : kDropped;
     face_.push_back(k);
   }

@@ -188,9 +188,10 @@ void IceContacts<Real>::boundEnergy(const IceBodies<Real>& bodies) {
     Contact& contact = contactAt(k);
     const double s = share(islandOf(contact));
     const Vec3d& given = rows_[k].given;
-    const double pressed = given.dot(contact.normal);
-    contact.rubbed = s * contact.rubbed + (1 - s) * (given - pressed * contact.normal);
-    contact.pressed = s * contact.pressed + (1 - s) * pressed;
+    const double pressing = given.dot(contact.normal);
+    contact.friction_multiplier =
+        s * contact.friction_multiplier + (1 - s) * (given - pressing * contact.normal);
+    contact.normal_multiplier = s * contact.normal_multiplier + (1 - s) * pressing;
   }
 }
 

@@ -31,7 +31,8 @@ IceBodies<Real>::IceBodies(const Scene& scene)
 
 template <class Real>
 void IceBodies<Real>::reorder(const std::vector<Index>& order) {
-  if (bodies_.empty()) return;
+  if (bodies_.empty()) return member_at_.clear();
+  if (member_at_.size() < order.size()) member_at_.resize(order.size(), kNone);
   old_member_at_.swap(member_at_);
   member_at_.resize(order.size());
   parallelFor(order.size(), [&](std::size_t k) {

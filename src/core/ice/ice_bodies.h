@@ -34,7 +34,8 @@ class IceBodies {
   bool assign(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
               const std::vector<Index>& label);
 
-  /// Follows a sort of the particles: place k now holds what was at order[k].
+  /// Follows a sort of the particles: place k now holds what was at order[k]. What is not in it is
+  /// no member of a body.
   void reorder(const std::vector<Index>& order);
 
   /// Begins a substep: free flight, or the motion of the collider a body is anchored to.
@@ -112,7 +113,7 @@ class IceBodies {
   }
   /// Works out which member is where. @throws InvalidInput when what was read are no bodies of
   /// these particles, where they are, or one is anchored to none of the colliders
-  void settle(const Particles<Real>& particles, const Colliders<Real>& colliders);
+  void restore(const Particles<Real>& particles, const Colliders<Real>& colliders);
 
  private:
   /// Particles of one label.
@@ -141,7 +142,7 @@ class IceBodies {
   };
 
   double ownInertia(Index count) const;
-  void settleBody(const IceBody& body, const Particles<Real>& particles) const;
+  void restoreBody(const IceBody& body, const Particles<Real>& particles) const;
   bool isWet(const IceBody& body, const std::vector<std::uint8_t>& wet) const;
   bool gatherGroups(const std::vector<Index>& label);
   void putAside();

@@ -74,6 +74,7 @@ void IceContacts<Real>::followMembers(const IceBodies<Real>& bodies) {
   const bool known = generation_ + 1 == bodies.generation();
   generation_ = bodies.generation();
   builds_ = 0;
+  candidates_.clear();
   if (!known) {
     for (auto* contacts : {&walls_, &pairs_, &dormant_walls_, &dormant_pairs_}) contacts->clear();
     return;
@@ -245,8 +246,8 @@ void IceContacts<Real>::startWarm(std::vector<Contact>& contacts,
     while (k < before.size() && before[k].key < contact.key) ++k;
     if (k == before.size()) return;
     if (before[k].key != contact.key || before[k].swept) continue;
-    contact.pressed = ratio * before[k].pressed;
-    contact.rubbed = ratio * before[k].rubbed;
+    contact.normal_multiplier = ratio * before[k].normal_multiplier;
+    contact.friction_multiplier = ratio * before[k].friction_multiplier;
   }
 }
 
@@ -260,7 +261,7 @@ void IceContacts<Real>::layDown(const IceBodies<Real>& bodies, const std::vector
   dormant.erase(std::remove_if(dormant.begin(), dormant.end(), awake), dormant.end());
   const std::size_t slept = dormant.size();
   for (const Contact& contact : before) {
-    if (contact.pressed > 0 && !awake(contact)) dormant.push_back(contact);
+    if (contact.normal_multiplier > 0 && !awake(contact)) dormant.push_back(contact);
   }
   if (dormant.size() == slept) return;
   std::sort(dormant.begin(), dormant.end(),

@@ -33,6 +33,10 @@ class IceContacts {
   /// Between two substeps puts loose bodies that lie in a collider beside it, without momentum.
   void expel(IceBodies<Real>& bodies, const Colliders<Real>& colliders);
 
+  /// Takes over the numbers that members have since bodies changed, as `find` does by itself. To be
+  /// called between two changes without a substep.
+  void followMembers(const IceBodies<Real>& bodies);
+
   /// Contacts of the present substep.
   std::size_t count() const { return walls_.size() + pairs_.size(); }
   /// Bodies that `contain` put back so far.
@@ -45,7 +49,7 @@ class IceContacts {
             self.generation_, self.builds_, self.dt_s_);
   }
   /// @throws InvalidInput when what was read touches other than these bodies
-  void settle(const IceBodies<Real>& bodies) const;
+  void restore(const IceBodies<Real>& bodies) const;
 
  private:
   /// One member at a face of a collider, or two members of different bodies.
@@ -59,17 +63,17 @@ class IceContacts {
     double gap_m;     ///< when it was found
     double before_m;  ///< with which the substep began
     double friction;
-    double pressed = 0;            ///< multiplier of the normal, kg m: its force times dt^2
-    Vec3d rubbed = Vec3d::Zero();  ///< those of the two tangents
-    bool swept = false;            ///< met on the way and passed since, where the arms tell
-    double met = 1.0;              ///< share of the substep after which it touches
+    double normal_multiplier = 0;               ///< kg m: force times dt^2
+    Vec3d friction_multiplier = Vec3d::Zero();  ///< kg m, along the face
+    bool swept = false;  ///< met on the way and passed since, where the arms tell
+    double met = 1.0;    ///< share of the substep after which it touches
     Vec3d arm_a = Vec3d::Zero(), arm_b = Vec3d::Zero();  ///< from the centres, m, if swept
 
     /// What the next substep takes over.
     template <class Self, class Archive>
     static void exchange(Self& self, Archive& archive) {
-      archive(self.key, self.a, self.b, self.member_a, self.member_b, self.pressed, self.rubbed,
-              self.swept);
+      archive(self.key, self.a, self.b, self.member_a, self.member_b, self.normal_multiplier,
+              self.friction_multiplier, self.swept);
     }
   };
   /// One direction of a contact, linear in the moves of its bodies.
@@ -107,7 +111,6 @@ class IceContacts {
     return k < walls_.size() ? walls_[k] : pairs_[k - walls_.size()];
   }
 
-  void followMembers(const IceBodies<Real>& bodies);
   void findWalls(const IceBodies<Real>& bodies);
   void wakeByColliders(IceBodies<Real>& bodies);
   void wakeByBodies(IceBodies<Real>& bodies);

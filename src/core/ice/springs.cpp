@@ -78,21 +78,40 @@ void Springs<Real>::freeze(const Particles<Real>& particles, const Neighbours<Re
 }
 
 template <class Real>
+void Springs<Real>::joinNew(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
+                            Real reach_m, std::uint32_t first_id) {
+  join(particles, neighbours, reach_m, [&](Index a, Index b) {
+    return particles.id[a] >= first_id || particles.id[b] >= first_id;
+  });
+}
+
+/// Multipliers are those of the first springs.
+template <class Real>
 template <class Broken>
-void Springs<Real>::breakIce(const Broken& broken) {
-  std::size_t kept = sheet_count_;
-  for (std::size_t s = sheet_count_; s < springs_.size(); ++s) {
+void Springs<Real>::breakFrom(std::size_t first, const Broken& broken) {
+  std::size_t kept = first, with_multiplier = std::min(first, multipliers_.size());
+  for (std::size_t s = first; s < springs_.size(); ++s) {
     if (broken(springs_[s])) continue;
-    if (s < multipliers_.size()) multipliers_[kept] = multipliers_[s];
+    if (s < multipliers_.size()) multipliers_[with_multiplier++] = multipliers_[s];
     springs_[kept++] = springs_[s];
   }
   springs_.resize(kept);
-  multipliers_.resize(std::min(multipliers_.size(), kept));
+  multipliers_.resize(with_multiplier);
+}
+
+template <class Real>
+void Springs<Real>::removeOf(const std::vector<char>& gone) {
+  const auto broken = [&](const Spring<Real>& s) { return gone[s.a] || gone[s.b]; };
+  const auto sheets_end = springs_.begin() + std::ptrdiff_t(sheet_count_);
+  const auto of_sheets = std::count_if(springs_.begin(), sheets_end, broken);
+  breakFrom(0, broken);
+  sheet_count_ -= static_cast<std::size_t>(of_sheets);
 }
 
 template <class Real>
 void Springs<Real>::breakMelted(const Phases<Real>& phases) {
-  breakIce([&](const Spring<Real>& s) { return !phases.ice(s.a) || !phases.ice(s.b); });
+  breakFrom(sheet_count_,
+            [&](const Spring<Real>& s) { return !phases.ice(s.a) || !phases.ice(s.b); });
 }
 
 /// Union by the lesser place, with path halving.
@@ -166,7 +185,7 @@ void Springs<Real>::correctElastic(VectorField<Real>& predicted, double complian
 template <class Real>
 void Springs<Real>::breakStretched(const VectorField<Real>& position, double strain) {
   const Real most = static_cast<Real>(1.0 + strain);
-  breakIce([&](const Spring<Real>& s) {
+  breakFrom(sheet_count_, [&](const Spring<Real>& s) {
     return (position.at(s.b) - position.at(s.a)).norm() > most * s.rest_m;
   });
 }
@@ -184,7 +203,8 @@ double Springs<Real>::elasticEnergy_j(const VectorField<Real>& position, double 
 
 template <class Real>
 void Springs<Real>::renumber(const std::vector<Index>& order) {
-  place_of_.resize(order.size());
+  if (order.empty()) return;
+  place_of_.resize(1 + *std::max_element(order.begin(), order.end()));
   for (Index k = 0; k < order.size(); ++k) place_of_[order[k]] = k;
   for (Spring<Real>& spring : springs_) {
     spring.a = place_of_[spring.a];

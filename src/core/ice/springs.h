@@ -63,6 +63,15 @@ class Springs {
   void freeze(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
               const Phases<Real>& phases, Real reach_m, const std::vector<Spawn>* apart = nullptr);
 
+  /// Joins particles that came to springs that are kept, as `make` would have.
+  /// @param first_id of those that came
+  void joinNew(const Particles<Real>& particles, const Neighbours<Real>& neighbours, Real reach_m,
+               std::uint32_t first_id);
+
+  /// Removes every spring, those of sheets too, of particles that are about to go.
+  /// @param gone (n) whether a particle goes
+  void removeOf(const std::vector<char>& gone);
+
   /// Removes the springs that have an end in what is no ice any more; those of sheets stay.
   void breakMelted(const Phases<Real>& phases);
 
@@ -84,7 +93,8 @@ class Springs {
   /// Removes the springs of ice that are stretched by more than `strain` of their rest length.
   void breakStretched(const VectorField<Real>& position, double strain);
 
-  /// Follows a sort of the particles: place k now holds what was at order[k].
+  /// Follows a sort of the particles: place k now holds what was at order[k]. What is not in it
+  /// has no springs.
   void renumber(const std::vector<Index>& order);
 
   /// What stretched springs give back, J: a spring that a substep corrected by a multiplier L in
@@ -101,14 +111,14 @@ class Springs {
     archive(self.springs_, self.sheet_count_, self.kept_);
   }
   /// @throws InvalidInput when what was read joins other than `particles` particles
-  void settle(std::size_t particles) const;
+  void restore(std::size_t particles) const;
 
  private:
   template <class Joined>
   void join(const Particles<Real>& particles, const Neighbours<Real>& neighbours, Real reach_m,
             const Joined& joined);
   template <class Broken>
-  void breakIce(const Broken& broken);
+  void breakFrom(std::size_t first, const Broken& broken);
 
   SpringParams params_;
   std::vector<Spring<Real>> springs_;  ///< those of sheets first

@@ -29,7 +29,7 @@ class Temperature {
             self.target_c_);
   }
   /// @throws InvalidInput when what was read is no temperature or ramp
-  void settle() const;
+  void restore() const;
 
  private:
   void startRamp(double target_c, double ramp_s, double start_s);

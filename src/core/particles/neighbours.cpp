@@ -206,6 +206,9 @@ void Neighbours<Real>::build(const VectorField<Real>& predicted) {
   std::copy(predicted.x.begin(), predicted.x.end(), built_at_.x.begin());
   std::copy(predicted.y.begin(), predicted.y.end(), built_at_.y.begin());
   std::copy(predicted.z.begin(), predicted.z.end(), built_at_.z.begin());
+  for (auto* axis : {&built_at_.x, &built_at_.y, &built_at_.z}) {
+    std::fill(axis->end() - std::ptrdiff_t(kPadding), axis->end(), Real(0));
+  }
   for (auto* indices : {&place_, &count_}) indices->resize(n);
   findCells();
   try {

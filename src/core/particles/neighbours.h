@@ -69,7 +69,7 @@ class Neighbours {
   }
   /// Rebuilds the lists from the positions that a checkpoint holds.
   /// @throws InvalidInput when these are not positions of `particles` particles sorted by cell
-  void settle(std::size_t particles);
+  void restore(std::size_t particles);
 
  private:
   static constexpr std::size_t kChunk = 256;

@@ -8,11 +8,12 @@
 
 namespace ice_ice_baby {
 
-/// Puts values[order[k]] at place k. `order` is a permutation of 0 ... n-1.
+/// Puts values[order[k]] at place k. What is at no place of `order` is gone.
+/// @param order distinct indices of values
 /// @param scratch changes places with the values; what it held is lost
 template <class T>
 void permute(std::vector<T>& values, const std::vector<Index>& order, std::vector<T>& scratch) {
-  scratch.resize(values.size());
+  scratch.resize(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) scratch[k] = values[order[k]];
   values.swap(scratch);
 }
@@ -50,33 +51,47 @@ void permute(VectorField<Real>& field, const std::vector<Index>& order,
   permute(field.z, order, scratch);
 }
 
+/// Particles come and go: they keep their ids, their places change.
 template <class Real>
 struct Particles {
   VectorField<Real> position;     ///< (n) x_i, m
   VectorField<Real> predicted;    ///< (n) x_i*, m
   VectorField<Real> velocity;     ///< (n) v_i, m/s
-  std::vector<std::uint32_t> id;  ///< (n) number at the spawn, 0 ... n-1
+  std::vector<std::uint32_t> id;  ///< (n) unique and never used twice; not dense
+  std::uint32_t next_id = 0;      ///< of the particle that comes next
+  std::size_t ghosts = 0;         ///< the last so many are copies of what another process moves
   std::vector<Real> scratch;      ///< (n) of reorder
   std::vector<std::uint32_t> id_scratch;
 
+  /// n, the owned ones and the ghosts behind them.
   std::size_t size() const { return id.size(); }
+  /// Those that this simulation moves and reports.
+  std::size_t owned() const { return size() - ghosts; }
   std::size_t bytes() const {
     return position.bytes() + predicted.bytes() + velocity.bytes() +
            (id.capacity() + id_scratch.capacity()) * sizeof(std::uint32_t) +
            scratch.capacity() * sizeof(Real);
   }
 
-  /// Puts particle order[k] at place k. `order` is a permutation of 0 ... n-1.
+  /// Puts particle order[k] at place k. A particle at no place of `order` is gone.
   void reorder(const std::vector<Index>& order);
+
+  /// Appends particles with the next ids.
+  /// @param points, velocities as many of each, m and m/s
+  void add(const std::vector<Vec3d>& points, const std::vector<Vec3d>& velocities);
 
   /// Between two frames; x* is x there.
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive) {
     archive(self.position, self.velocity, self.id);
   }
-  /// @throws InvalidInput unless a checkpoint that was read holds each of `count` particles once
-  void settle(std::size_t count);
+  /// @throws InvalidInput unless a checkpoint that was read holds `count` particles, each once
+  void restore(std::size_t count);
 };
+
+/// Places of the particles in the order of their ids.
+/// @param id (n) unique
+std::vector<Index> placesById(const std::vector<std::uint32_t>& id);
 
 /// Range of ids that one block spawned.
 struct Spawn {

@@ -21,8 +21,8 @@ Phases<Real>::Phases(const Scene& scene, std::size_t particles)
       expansion_(1.0 / scene.ice.density_ratio - 1.0),
       elastic_(scene.ice.compliance_m_n > 0.0),
       phase_(particles, Phase::kWater),
-      share_(particles, Real(1)),
-      full_share_(particles, Real(1)),
+      relative_volume_(particles, Real(1)),
+      target_volume_(particles, Real(1)),
       slush_(particles, Real(0)),
       steam_(particles, 0),
       flows_(particles, 1),
@@ -30,6 +30,23 @@ Phases<Real>::Phases(const Scene& scene, std::size_t particles)
       pressed_(particles, 1),
       new_ice_(particles, 0),
       stuck_to_(particles, kNone) {}
+
+template <class Real>
+void Phases<Real>::add(const EnthalpyCurve& curve, const std::vector<double>& enthalpy_j_kg) {
+  for (std::size_t i = phase_.size(); i < enthalpy_j_kg.size(); ++i) {
+    const bool steam = curve.steamFraction(enthalpy_j_kg[i]) >= 1.0;
+    const double ice = curve.iceFraction(enthalpy_j_kg[i]);
+    const Real volume = steam ? Real(0) : static_cast<Real>(1.0 + expansion_ * ice);
+    relative_volume_.push_back(volume);
+    target_volume_.push_back(volume);
+  }
+  const std::size_t n = enthalpy_j_kg.size();
+  phase_.resize(n, Phase::kWater);
+  slush_.resize(n, Real(0));
+  stuck_to_.resize(n, kNone);
+  for (auto* flags : {&steam_, &new_ice_}) flags->resize(n, 0);
+  for (auto* flags : {&flows_, &wet_, &pressed_}) flags->resize(n, 1);
+}
 
 /// Water freezes once all its latent heat is gone, it is colder than it melts and it has swollen;
 /// ice melts once all of that heat is back; steam likewise.
@@ -42,7 +59,7 @@ Phase Phases<Real>::next(std::size_t i, const EnthalpyCurve& curve, double entha
   if (phase_[i] == Phase::kIce) {
     return ice > 0.0 || celsius < melt_above_c_ ? Phase::kIce : Phase::kWater;
   }
-  const bool swollen = share_[i] == static_cast<Real>(1.0 + expansion_);
+  const bool swollen = relative_volume_[i] == static_cast<Real>(1.0 + expansion_);
   return swollen && ice >= 1.0 && celsius <= freeze_below_c_ ? Phase::kIce : Phase::kWater;
 }
 
@@ -62,9 +79,9 @@ bool Phases<Real>::update(const EnthalpyCurve& curve, const std::vector<double>&
     flows_[i] = now == Phase::kWater || (elastic_ && now == Phase::kIce);
     const double fraction = curve.iceFraction(enthalpy_j_kg[i]);
     slush_[i] = now == Phase::kWater ? static_cast<Real>(fraction) : Real(0);
-    full_share_[i] = steam_[i] ? Real(0) : static_cast<Real>(1.0 + expansion_ * fraction);
-    if (steam_[i]) share_[i] = 0;
-    swelling_ |= share_[i] != full_share_[i];
+    target_volume_[i] = steam_[i] ? Real(0) : static_cast<Real>(1.0 + expansion_ * fraction);
+    if (steam_[i]) relative_volume_[i] = 0;
+    swelling_ |= relative_volume_[i] != target_volume_[i];
   }
   return changed;
 }
@@ -76,13 +93,14 @@ void Phases<Real>::swell(double dt_s) {
   const Real freezing = static_cast<Real>(std::abs(expansion_) * done);
   const Real condensing = static_cast<Real>(done);
   swelling_ = false;
-  for (std::size_t i = 0; i < share_.size(); ++i) {
-    const Real way = full_share_[i] - share_[i];
+  for (std::size_t i = 0; i < relative_volume_.size(); ++i) {
+    const Real way = target_volume_[i] - relative_volume_[i];
     if (way == 0) continue;
     // What is far from any volume of water or ice has been steam.
     const Real step = std::abs(way) > 2 * Real(std::abs(expansion_)) ? condensing : freezing;
     const bool there = std::abs(way) <= step;
-    share_[i] = there ? full_share_[i] : share_[i] + std::copysign(step, way);
+    relative_volume_[i] =
+        there ? target_volume_[i] : relative_volume_[i] + std::copysign(step, way);
     swelling_ |= !there;
   }
 }
@@ -102,8 +120,8 @@ void Phases<Real>::findWet(const Neighbours<Real>& neighbours) {
 template <class Real>
 void Phases<Real>::reorder(const std::vector<Index>& order) {
   permute(phase_, order, phase_scratch_);
-  permute(share_, order, scratch_);
-  permute(full_share_, order, scratch_);
+  permute(relative_volume_, order, scratch_);
+  permute(target_volume_, order, scratch_);
   permute(slush_, order, scratch_);
   permute(stuck_to_, order, index_scratch_);
   for (auto* flags : {&steam_, &flows_, &wet_, &pressed_, &new_ice_})
@@ -113,7 +131,8 @@ void Phases<Real>::reorder(const std::vector<Index>& order) {
 template <class Real>
 std::size_t Phases<Real>::bytes() const {
   return (phase_.capacity() + phase_scratch_.capacity()) * sizeof(Phase) +
-         (share_.capacity() + full_share_.capacity() + slush_.capacity() + scratch_.capacity()) *
+         (relative_volume_.capacity() + target_volume_.capacity() + slush_.capacity() +
+          scratch_.capacity()) *
              sizeof(Real) +
          (stuck_to_.capacity() + index_scratch_.capacity()) * sizeof(Index) + steam_.capacity() +
          flows_.capacity() + wet_.capacity() + pressed_.capacity() + pressed_.capacity() +

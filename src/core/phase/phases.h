@@ -15,8 +15,13 @@ namespace ice_ice_baby {
 template <class Real>
 class Phases {
  public:
-  /// All particles are water of the volume that their enthalpy gives them, until the first update.
+  /// All particles are water until the first update.
   Phases(const Scene& scene, std::size_t particles);
+
+  /// Appends the particles that `enthalpy_j_kg` has beyond those known so far. Until the next
+  /// update they are water, of the volume that their enthalpy gives them.
+  /// @param enthalpy_j_kg (n)
+  void add(const EnthalpyCurve& curve, const std::vector<double>& enthalpy_j_kg);
 
   /// Follows the enthalpies, with the hysteresis of the scene. Water turns to ice only once it has
   /// the volume of ice.
@@ -48,7 +53,7 @@ class Phases {
   std::size_t steamCount() const { return steam_count_; }
 
   /// (n) volume over that of water at rest: 1 / ice.density_ratio for ice, 0 for steam.
-  const std::vector<Real>& share() const { return share_; }
+  const std::vector<Real>& relativeVolume() const { return relative_volume_; }
   /// (n) ice fraction of what still flows, 0 for ice and steam.
   const std::vector<Real>& slush() const { return slush_; }
   /// (n) 1 for steam.
@@ -66,12 +71,12 @@ class Phases {
   /// Flags and counts follow from the phases; those of the latest update are for that alone.
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive) {
-    archive(self.phase_, self.share_, self.full_share_, self.swelling_, self.slush_, self.wet_,
-            self.pressed_, self.stuck_to_);
+    archive(self.phase_, self.relative_volume_, self.target_volume_, self.swelling_, self.slush_,
+            self.wet_, self.pressed_, self.stuck_to_);
   }
   /// @throws InvalidInput when what was read is not that of `particles` particles
   /// @param colliders of the scene, to which ice may stick
-  void settle(std::size_t particles, std::size_t colliders);
+  void restore(std::size_t particles, std::size_t colliders);
 
  private:
   Phase next(std::size_t i, const EnthalpyCurve& curve, double enthalpy_j_kg) const;
@@ -81,9 +86,9 @@ class Phases {
   double expansion_;  ///< of freezing, by volume
   bool elastic_;
   std::vector<Phase> phase_;
-  std::vector<Real> share_;
-  std::vector<Real> full_share_;  ///< (n) where the share is going
-  bool swelling_ = false;         ///< whether any is not there yet
+  std::vector<Real> relative_volume_;
+  std::vector<Real> target_volume_;  ///< (n) where the relative volume is going
+  bool swelling_ = false;            ///< whether any is not there yet
   std::vector<Real> slush_;
   std::vector<std::uint8_t> steam_;
   std::vector<std::uint8_t> flows_;

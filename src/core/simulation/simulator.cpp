@@ -46,26 +46,19 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
       substeps_(scene.substeps()) {
   scene_.solver.substeps = substeps_;  // so that scene() tells what is in force
   scene_.solver.relaxation = scene.relaxation();
-  const double volume_m3 = particleVolume_m3(scene.fluid, scene.supportRadius_m());
-  if (scene.fluid.boundary_density && !colliders_.empty()) {
-    walls_.emplace(scene, colliders_, volume_m3);
-  }
   if (scene.thermal.enabled) {
-    heat_.emplace(scene, spawns_, colliders_);
-    phases_.emplace(scene, particles_.size());
+    phase_change_.emplace(scene_, spawns_, colliders_, springs_);
   }
-  const Phases<Real>* phases = phases_ ? &*phases_ : nullptr;
-  density_.emplace(scene, walls_ ? &*walls_ : nullptr, phases);
-  if (scene.solver.viscosity_1_s > 0.0 || phases) viscosity_.emplace(scene, volume_m3, phases);
+  fluid_.emplace(scene, colliders_, phase_change_ ? &phase_change_->phases() : nullptr);
   updateTemperature(0.0);
   arena_.execute([&] {
     findNeighbours();
     // What fell as one would stay one: lists live as long as all particles move alike.
     if (neighbours_.coincident()) particles_.position = particles_.predicted;
     joinSheets();
-    if (heat_) beginPhases();
-    if (!colliders_.empty()) expel();
-    density_->computeLambda(particles_, neighbours_);
+    if (phase_change_) phase_change_->begin(particles_, neighbours_, spawns_);
+    if (!colliders_.empty()) expelWater();
+    fluid_->updateDensity(particles_, neighbours_);
     updateReport();
   });
 }
@@ -82,7 +75,9 @@ const StepReport& Simulator<Real>::advanceFrame() {
   if (!report_.asleep) {
     arena_.execute([&] {
       runSubsteps();
-      if (heat_) advanceHeat();
+      if (phase_change_) {
+        phase_change_->advance(particles_, neighbours_, temperature_.celsius());
+      }
       report_clock_.run([&] { updateReport(); });
       updateSleep();
       followTargetError();
@@ -95,18 +90,16 @@ const StepReport& Simulator<Real>::advanceFrame() {
 
 template <class Real>
 void Simulator<Real>::runSubsteps() {
-  const auto bodiesLimited = [&] {
-    return bodies_ ? bodies_->limited() + contacts_->limited() : 0;
-  };
+  const auto bodiesLimited = [&] { return phase_change_ ? phase_change_->limited() : 0; };
   const std::uint64_t limited_before = bodiesLimited();
-  const std::uint64_t cut_before = density_->limited();
+  const std::uint64_t cut_before = fluid_->correctionsLimited();
   if (colliders_moving_) jumpColliders();
   for (int k = 0; k < substeps_; ++k) {
     if (colliders_moving_) colliders_.setSubstep(double(k) / substeps_, double(k + 1) / substeps_);
     substep(1.0 / (scene_.solver.frame_rate_hz * substeps_));
   }
   report_.speed_limited += bodiesLimited() - limited_before;
-  report_.correction_limited = density_->limited() - cut_before;
+  report_.correction_limited = fluid_->correctionsLimited() - cut_before;
   if (!colliders_moving_) return;
   colliders_.endFrame();
   colliders_.setSubstep(1.0, 1.0);
@@ -120,40 +113,38 @@ void Simulator<Real>::substep(double dt_s) {
   predict_clock_.run([&] { predict(dt_s); });
   neighbours_clock_.run([&] { findNeighbours(); });
   if (strictness_ > 0.0) make_springs_clock_.run([&] { makeSprings(); });
-  if (bodies_) contacts_clock_.run([&] { findContacts(); });
+  if (phase_change_) phase_change_->findContacts(particles_.predicted, neighbours_);
 
   for (int iteration = 0; iteration < scene_.solver.iterations; ++iteration) {
-    lambda_clock_.run([&] { density_->computeLambda(particles_, neighbours_); });
-    delta_p_clock_.run([&] { density_->computeDeltaP(particles_, neighbours_); });
+    fluid_->iterate(particles_, neighbours_);
     if (!colliders_.empty()) collide_clock_.run([&] { respondToCollisions(); });
     // The paper corrects x* before its update, the default after: doc/algorithm.md says why.
     if (!scene_.springs.correct_updated) correctSprings(dt_s, iteration);
     position_clock_.run([&] { updatePredicted(); });
-    if (bodies_) bodies_clock_.run([&] { moveBodies(); });
+    if (phase_change_) phase_change_->moveBodies(particles_.predicted);
     if (scene_.springs.correct_updated) correctSprings(dt_s, iteration);
   }
   const bool moved_since_response = springsCorrect() || scene_.solver.iterations == 0;
   if (moved_since_response && !colliders_.empty()) collide_clock_.run([&] { finishCollisions(); });
-
-  if (bodies_) bodies_clock_.run([&] { contacts_->contain(*bodies_, particles_.predicted); });
+  if (phase_change_) phase_change_->contain(particles_.predicted);
 
   velocity_clock_.run([&] { updateVelocityAndPosition(dt); });
-  if (bodies_) bodies_clock_.run([&] { bodies_->finish(particles_); });
-  if (viscosity_) viscosity_clock_.run([&] { applyViscosity(dt_s); });
+  if (phase_change_) phase_change_->finish(particles_);
+  if (fluid_->viscous()) viscosity_clock_.run([&] { applyViscosity(dt_s); });
 }
 
 template <class Real>
 void Simulator<Real>::predict(double dt_s) {
   applyForcesAndPredict(static_cast<Real>(dt_s));
-  if (phases_) predictSteamAndIce(dt_s);
-  density_->warmStart(particles_);
-  if (bodies_) bodies_->conform(particles_.predicted);
+  if (phase_change_) phase_change_->predict(particles_, dt_s);
+  fluid_->beginSubstep(particles_);
+  if (phase_change_) phase_change_->conform(particles_.predicted);
 }
 
 template <class Real>
 void Simulator<Real>::applyForcesAndPredict(Real dt) {
   const Vec3<Real> gravity = scene_.gravity_m_s2.cast<Real>();
-  parallelFor(particles_.size(), [&](std::size_t i) {
+  parallelFor(particles_.owned(), [&](std::size_t i) {
     const Vec3<Real> v = particles_.velocity.at(i) + dt * gravity;
     particles_.velocity.set(i, v);
     particles_.predicted.set(i, particles_.position.at(i) + dt * v);
@@ -162,17 +153,24 @@ void Simulator<Real>::applyForcesAndPredict(Real dt) {
 
 template <class Real>
 void Simulator<Real>::findNeighbours() {
-  if (!neighbours_.stale(particles_.predicted)) return;
-  const std::vector<Index>& order = neighbours_.sortOrder(particles_.predicted);
-  particles_.reorder(order);
-  density_->reorder(order);
-  if (springs_) springs_->renumber(order);
-  if (heat_) heat_->reorder(order);
-  if (phases_) phases_->reorder(order);
-  if (bodies_) bodies_->reorder(order);
+  if (neighbours_.stale(particles_.predicted)) renewNeighbours();
+}
+
+template <class Real>
+void Simulator<Real>::renewNeighbours() {
+  reorder(neighbours_.sortOrder(particles_.predicted));
   neighbours_.build(particles_.predicted);
-  if (bodies_) phases_->findWet(neighbours_);
+  if (phase_change_) phase_change_->followNeighbours(neighbours_);
   if (neighbours_.coincident()) separateCoincident();
+}
+
+/// Puts particle order[k] at place k, with all that belongs to it.
+template <class Real>
+void Simulator<Real>::reorder(const std::vector<Index>& order) {
+  particles_.reorder(order);
+  fluid_->reorder(order);
+  if (springs_) springs_->renumber(order);
+  if (phase_change_) phase_change_->reorder(order);
 }
 
 /// Two particles at one point have no direction in which to part, so all but the first of them are
@@ -207,7 +205,7 @@ void Simulator<Real>::correctSprings(double dt_s, int iteration) {
   if (!springsCorrect()) return;
   correct_springs_clock_.run([&] {
     const bool begins = iteration == 0;
-    if (heat_) {
+    if (phase_change_) {
       springs_->correctElastic(particles_.predicted, scene_.ice.compliance_m_n, mass_kg_, dt_s,
                                begins);
     } else {
@@ -219,11 +217,12 @@ void Simulator<Real>::correctSprings(double dt_s, int iteration) {
 /// Amends delta p so that x* + delta p lies outside every collider.
 template <class Real>
 void Simulator<Real>::respondToCollisions() {
-  VectorField<Real>& delta_p = density_->deltaP();
+  const IceBodies<Real>* bodies = this->bodies();
+  VectorField<Real>& delta_p = fluid_->deltaP();
   const Paths<Real> paths{particles_.position, particles_.predicted, &delta_p};
   parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
     forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
-      if (inBody(i)) return;
+      if (bodies && bodies->memberAt(Index(i)) != kNone) return;
       const Vec3<Real> predicted = particles_.predicted.at(i);
       const Vec3<Real> wanted = predicted + delta_p.at(i);
       const Vec3<Real> end = colliders_.respond(particles_.position.at(i), wanted, sticks());
@@ -234,7 +233,7 @@ void Simulator<Real>::respondToCollisions() {
 
 template <class Real>
 void Simulator<Real>::updatePredicted() {
-  const VectorField<Real>& delta_p = density_->deltaP();
+  const VectorField<Real>& delta_p = fluid_->deltaP();
   parallelFor(particles_.size(),
               [&](std::size_t i) { particles_.predicted.add(i, delta_p.at(i)); });
 }
@@ -242,10 +241,11 @@ void Simulator<Real>::updatePredicted() {
 /// Takes what springs or plain flight pushed into a collider out of it again.
 template <class Real>
 void Simulator<Real>::finishCollisions() {
+  const IceBodies<Real>* bodies = this->bodies();
   const Paths<Real> paths{particles_.position, particles_.predicted};
   parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
     forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
-      if (inBody(i)) return;
+      if (bodies && bodies->memberAt(Index(i)) != kNone) return;
       const Vec3<Real> wanted = particles_.predicted.at(i);
       particles_.predicted.set(i, colliders_.respond(particles_.position.at(i), wanted, sticks()));
     });
@@ -260,7 +260,7 @@ template <class Real>
 void Simulator<Real>::updateVelocityAndPosition(Real dt) {
   const Real limit = static_cast<Real>(scene_.solver.max_speed_m_s);
   std::atomic<std::uint64_t> limited{0}, repaired{0};
-  parallelFor(particles_.size(), [&](std::size_t i) {
+  parallelFor(particles_.owned(), [&](std::size_t i) {
     Vec3<Real> v = particles_.velocity.at(i);
     const Vec3<Real> flight = particles_.position.at(i) + dt * v;
     v += (particles_.predicted.at(i) - flight) / dt;
@@ -279,16 +279,13 @@ void Simulator<Real>::updateVelocityAndPosition(Real dt) {
   });
   report_.speed_limited += limited;
   report_.non_finite += repaired;
-  if (repaired > 0) density_->forgetWarmStart();  // or every substep would start from it again
+  if (repaired > 0) fluid_->forget();  // or every substep would start from it again
 }
 
 template <class Real>
 void Simulator<Real>::applyViscosity(double dt_s) {
-  const std::vector<Real>& density = density_->density();
-  const auto densest = std::max_element(density.begin(), density.end());
-  viscosity_->apply(particles_, neighbours_, dt_s, density_->rows(),
-                    densest != density.end() ? double(*densest) : 1.0);
-  if (bodies_) bodies_->takeVelocities(particles_);
+  fluid_->applyViscosity(particles_, neighbours_, dt_s);
+  if (phase_change_) phase_change_->takeVelocities(particles_);
 }
 
 std::unique_ptr<Simulation> makeSimulation(const Scene& scene, Precision precision, int threads) {

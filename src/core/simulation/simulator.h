@@ -3,26 +3,21 @@
 
 #include <tbb/task_arena.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/archive.h"
+#include "base/stage_clock.h"
 #include "colliders/colliders.h"
-#include "fluid/boundary_density.h"
-#include "fluid/density_constraint.h"
-#include "fluid/viscosity.h"
-#include "ice/ice_bodies.h"
-#include "ice/ice_contacts.h"
+#include "fluid/fluid.h"
 #include "ice/springs.h"
 #include "ice/temperature.h"
 #include "ice_ice_baby/simulation.h"
 #include "particles/neighbours.h"
 #include "particles/particles.h"
-#include "phase/phases.h"
-#include "phase/steam.h"
-#include "simulation/stage_clock.h"
-#include "thermal/thermal_solver.h"
+#include "simulation/phase_change.h"
 
 namespace ice_ice_baby {
 
@@ -43,41 +38,60 @@ class Simulator final : public Simulation {
   Posed colliderPose(const std::string& name) const override { return colliders_.pose(name); }
   void sample(std::vector<ParticleSample>& out, std::size_t stride) const override;
   void sampleSprings(std::vector<SpringSample>& out, std::size_t limit) const override;
-  DensityError measureDensityError() override;
-  std::size_t countEscaped() const override;
+  void sampleRelativeVolumes(std::vector<float>& out) const override;
   std::vector<StageStats> stages() const override;
   std::uint64_t stateHash() const override;
   Precision precision() const override;
   void write(StateWriter& writer) const override;
 
-  /// Takes over what another simulator of the same scene wrote behind the scene and the number of
+  /// Lets particles come between two frames, as from a tap. The report has the new number at once,
+  /// what else changes after the next frame.
+  /// @param position_m (k) outside colliders and a spacing from other particles
+  /// @param velocity_m_s (k)
+  /// @param celsius of all of them; without heat they have the temperature of the scene
+  /// @return id of the first of them; the others follow
+  /// @throws InvalidInput for vectors of different lengths, for values out of range, and for more
+  /// particles than limits.max_particles; nothing has changed then
+  std::uint32_t addParticles(const std::vector<Vec3d>& position_m,
+                             const std::vector<Vec3d>& velocity_m_s, double celsius);
+
+  /// Lets particles go between two frames, as down a drain, with all that belongs to them.
+  /// @param goes whether the particle of an id at a position in m goes
+  /// @return how many went
+  std::size_t removeParticles(
+      const std::function<bool(std::uint32_t id, const Vec3d& position_m)>& goes);
+
+  /// Takes over what another simulator of the same scene wrote behind the scene and the numbers of
   /// particles. @throws InvalidInput when it makes no sense; this one is then of no more use
-  void read(StateReader& reader);
+  /// @param particles that there are
+  /// @param came of those that there have been, how many the scene did not spawn
+  void read(StateReader& reader, std::uint32_t particles, std::uint32_t came);
 
   /// State for tests and measurement; sorted by cell, so indices change from substep to substep.
   const Particles<Real>& particles() const { return particles_; }
   Particles<Real>& particles() { return particles_; }
   Neighbours<Real>& neighbours() { return neighbours_; }
+  /// Null without heat.
+  const PhaseChange<Real>* phaseChange() const { return phase_change_ ? &*phase_change_ : nullptr; }
 
  private:
   void runSubsteps();
   void substep(double dt_s);
   void predict(double dt_s);
   void applyForcesAndPredict(Real dt);
-  void predictSteamAndIce(double dt_s);
   void findNeighbours();
+  void renewNeighbours();
+  void reorder(const std::vector<Index>& order);
   void separateCoincident();
+  void followParticles();
   void makeSprings();
   void correctSprings(double dt_s, int iteration);
   void respondToCollisions();
   void updatePredicted();
   void finishCollisions();
   void updateVelocityAndPosition(Real dt);
-  void findContacts();
-  void moveBodies();
   void jumpColliders();
-  void carry(const std::vector<Jump<Real>>& jumps);
-  void expel();
+  void expelWater();
   void makeRoom();
   void applyViscosity(double dt_s);
   void updateTemperature(double time_s);
@@ -87,20 +101,19 @@ class Simulator final : public Simulation {
   void updateSleep();
   void wake();
   void joinSheets();
-  void advanceHeat();
-  void beginPhases();
-  void updatePhases(double dt_s);
-  void updateIce();
-  void stickToColdWalls();
-  void reportHeat();
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive);
   void writeState(StateWriter& writer) const;
-  void settle();
+  void restore(std::size_t particles);
+  /// Particles that the scene spawned: their ids are the first ones.
+  std::uint32_t spawned() const {
+    return spawns_.empty() ? 0 : spawns_.back().first_id + spawns_.back().count;
+  }
   bool frozen() const { return strictness_ >= 1.0; }
-  bool inBody(std::size_t i) const { return bodies_ && bodies_->memberAt(Index(i)) != kNone; }
-  bool rigidIce() const { return heat_ && scene_.ice.compliance_m_n == 0.0; }
-  bool springsCorrect() const { return springs_ && !rigidIce(); }
+  const IceBodies<Real>* bodies() const {
+    return phase_change_ ? phase_change_->bodies() : nullptr;
+  }
+  bool springsCorrect() const { return springs_ && !(phase_change_ && phase_change_->rigid()); }
   bool sticks() const { return frozen() && scene_.springs.stick_to_colliders; }
 
   Scene scene_;
@@ -110,44 +123,27 @@ class Simulator final : public Simulation {
   Particles<Real> particles_;
   Temperature temperature_;
   Colliders<Real> colliders_;
-  std::optional<BoundaryDensity<Real>> walls_;
   Neighbours<Real> neighbours_;
-  std::optional<DensityConstraint<Real>> density_;
+  std::optional<Fluid<Real>> fluid_;  ///< always there, but made after what it refers to
   std::optional<Springs<Real>> springs_;
-  std::optional<Viscosity<Real>> viscosity_;
-  std::optional<ThermalSolver<Real>> heat_;
-  std::optional<Phases<Real>> phases_;         ///< with heat
-  std::optional<IceBodies<Real>> bodies_;      ///< while there is rigid ice
-  std::optional<IceContacts<Real>> contacts_;  ///< of those
-  std::optional<Steam<Real>> steam_;           ///< while there is steam
-  std::optional<BoundaryDensity<Real>>
-      reference_boundary_;  ///< of measureDensityError, once it is asked
+  std::optional<PhaseChange<Real>> phase_change_;  ///< with heat
 
-  std::vector<char> displaced_;     ///< (n) scratch of separateCoincident
-  std::vector<Index> body_labels_;  ///< (n) scratch of updateIce
+  std::vector<char> displaced_;  ///< (n) scratch of separateCoincident
 
   StageClock predict_clock_{"predict"};
   StageClock neighbours_clock_{"neighbours"};
   StageClock make_springs_clock_{"make_springs"};
-  StageClock contacts_clock_{"ice_contacts"};
-  StageClock lambda_clock_{"lambda"};
-  StageClock delta_p_clock_{"delta_p"};
   StageClock collide_clock_{"collide"};
   StageClock correct_springs_clock_{"correct_springs"};
   StageClock position_clock_{"position"};
-  StageClock bodies_clock_{"ice_bodies"};
   StageClock velocity_clock_{"velocity"};
   StageClock viscosity_clock_{"viscosity"};
-  StageClock heat_clock_{"heat"};
-  StageClock phases_clock_{"phases"};
   StageClock report_clock_{"report"};
 
   StepReport report_;
   int substeps_;  ///< of the frame that comes next
   double strictness_ = 0.0;
-  double heat_due_s_ = 0.0;    ///< simulated time that heat has yet to follow
-  double phases_due_s_ = 0.0;  ///< since phases last followed heat
-  double still_s_ = 0.0;       ///< for how long frozen water has been slower than the sleep speed
+  double still_s_ = 0.0;  ///< for how long frozen water has been slower than the sleep speed
   bool colliders_moving_ = false;
 };
 

@@ -23,7 +23,7 @@ template <class Real>
 void Simulator<Real>::setTemperature(double celsius, double ramp_s, const std::string& target) {
   requireTemperature(celsius, ramp_s);
   requireTarget(scene_, target);
-  if (!target.empty()) return heat_->setWall(target, celsius, ramp_s);
+  if (!target.empty()) return phase_change_->heat().setWall(target, celsius, ramp_s);
   temperature_.set(celsius, ramp_s);
   updateTemperature(report_.time_s);
 }
@@ -31,11 +31,11 @@ void Simulator<Real>::setTemperature(double celsius, double ramp_s, const std::s
 template <class Real>
 void Simulator<Real>::heatRegion(const HeatedRegion& region) {
   requireHeatedRegion(scene_, region);
-  if (heat_->regions() >= kMaxHeatedRegions) {
+  if (phase_change_->heat().regions() >= kMaxHeatedRegions) {
     throw InvalidInput(std::to_string(kMaxHeatedRegions) +
                        " regions are heated or cooled already; wait until one of them ends");
   }
-  heat_->addRegion(region);
+  phase_change_->heat().addRegion(region);
 }
 
 template <class Real>

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/collider_jumps.h"
 #include "simulation/simulator.h"
 
 namespace ice_ice_baby {
@@ -12,20 +13,28 @@ namespace {
 constexpr int kFewestSubsteps = 2;
 constexpr int kMostSubsteps = 64;
 
+/// Water that was pressed together parts in so many corrections at most, or until the densest
+/// particle is within this share of rest.
+constexpr int kMostCorrections = 100;
+constexpr double kDense = 0.05;
+
+/// What was put aside by less than this, in spacings, presses on nothing.
+constexpr double kPressed_d = 0.01;
+
 }  // namespace
 
 template <class Real>
 void Simulator<Real>::updateTemperature(double time_s) {
   temperature_.advanceTo(time_s);
   const double before = strictness_;
-  strictness_ = heat_ ? 0.0 : temperature_.strictness();
+  strictness_ = phase_change_ ? 0.0 : temperature_.strictness();
   if (strictness_ != before) wake();
-  if (!heat_ && strictness_ < 1.0 && springs_) {
+  if (!phase_change_ && strictness_ < 1.0 && springs_) {
     springs_->melt();
     if (strictness_ == 0.0 && springs_->empty()) springs_.reset();
   }
   report_.temperature_c = temperature_.celsius();
-  if (!heat_) report_.strictness = strictness_;
+  if (!phase_change_) report_.strictness = strictness_;
   report_.springs = springs_ ? springs_->size() : 0;
 }
 
@@ -64,15 +73,48 @@ void Simulator<Real>::followTargetError() {
   const double most = std::min(kMostSubsteps, 2 * substeps_);
   const int next = static_cast<int>(std::clamp(wanted, std::min(fewest, most), most));
   if (next == substeps_) return;
-  density_->rescaleWarmStart(double(substeps_) / next);
+  fluid_->rescale(double(substeps_) / next);
   substeps_ = next;
+}
+
+template <class Real>
+void Simulator<Real>::jumpColliders() {
+  const double most_m = scene_.solver.max_speed_m_s / scene_.solver.frame_rate_hz;
+  const std::vector<Jump<Real>> jumps = jumpFastColliders(colliders_, particles_, most_m);
+  if (jumps.empty()) return;
+  report_.speed_limited += carry(jumps, colliders_, bodies(), particles_);
+  if (phase_change_) phase_change_->jump(jumps, particles_);
+  fluid_->forget();
+  expelWater();
+}
+
+template <class Real>
+void Simulator<Real>::expelWater() {
+  const double furthest_m = expel(colliders_, bodies(), particles_);
+  if (furthest_m > kPressed_d * scene_.fluid.spacing_m) makeRoom();
+}
+
+/// Corrects density as the iterations of a substep do, but in no time, so that it is not velocity.
+template <class Real>
+void Simulator<Real>::makeRoom() {
+  for (int k = 0; k < kMostCorrections; ++k) {
+    findNeighbours();
+    fluid_->updateDensity(particles_, neighbours_);
+    if (static_cast<Real>(fluid_->maxDensity()) < Real(1 + kDense)) break;
+    fluid_->updateCorrections(particles_, neighbours_);
+    respondToCollisions();
+    updatePredicted();
+    if (bodies()) bodies()->writePredicted(particles_.predicted);
+    particles_.position = particles_.predicted;
+  }
+  fluid_->forget();
 }
 
 template <class Real>
 void Simulator<Real>::wake() {
   report_.asleep = false;
   still_s_ = 0.0;
-  if (bodies_) bodies_->wakeAll();
+  if (phase_change_) phase_change_->wakeBodies();
 }
 
 template class Simulator<float>;

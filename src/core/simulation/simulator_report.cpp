@@ -7,35 +7,9 @@
 
 namespace ice_ice_baby {
 
-namespace {
-
-std::vector<Index> placesById(const std::vector<std::uint32_t>& ids) {
-  std::vector<Index> places(ids.size());
-  for (Index k = 0; k < ids.size(); ++k) places[ids[k]] = k;
-  return places;
-}
-
-/// Of densities relative to rest, summed in order.
-template <class Real>
-Simulation::DensityError densityError(const std::vector<Real>& density) {
-  Simulation::DensityError error;
-  for (const Real relative : density) {
-    const double excess = std::max(0.0, double(relative) - 1.0);
-    error.mean += excess;
-    error.max = std::max(error.max, excess);
-    error.volume_lost += excess / (1.0 + excess);
-  }
-  if (density.empty()) return error;
-  error.mean /= double(density.size());
-  error.volume_lost /= double(density.size());
-  return error;
-}
-
-}  // namespace
-
 template <class Real>
 void Simulator<Real>::updateReport() {
-  const std::size_t n = particles_.size();
+  const std::size_t n = particles_.owned();
   double squares = 0.0, heights = 0.0, fastest = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const double square = particles_.velocity.at(i).template cast<double>().squaredNorm();
@@ -43,7 +17,7 @@ void Simulator<Real>::updateReport() {
     fastest = std::max(fastest, square);
     heights -= scene_.gravity_m_s2.dot(particles_.position.at(i).template cast<double>());
   }
-  const DensityError error = densityError(density_->density());
+  const auto error = fluid_->densityError();
   report_.particles = n;
   report_.springs = springs_ ? springs_->size() : 0;
   report_.density_error_mean = error.mean;
@@ -53,22 +27,14 @@ void Simulator<Real>::updateReport() {
   report_.elastic_energy_j = elasticEnergy_j();
   report_.max_speed_m_s = std::sqrt(fastest);
   report_.rms_speed_m_s = n > 0 ? std::sqrt(squares / double(n)) : 0.0;
-  if (heat_) reportHeat();
+  if (phase_change_) phase_change_->addTo(report_);
 }
 
-/// A solver that stops after few iterations leaves water as soft as springs of stiffness p / C,
-/// which give back p V C / 2, and springs as soft. doc/stability.md shows the balance with and
-/// without.
+/// Of compressed water and of springs. doc/stability.md shows the balance with and without.
 template <class Real>
 double Simulator<Real>::elasticEnergy_j() const {
-  const std::vector<Real>& density = density_->density();
-  const std::vector<Real>& multiplier = density_->multiplier();
-  double sum_m2 = 0.0;
-  for (std::size_t i = 0; i < density.size(); ++i) {
-    sum_m2 -= double(multiplier[i]) * std::max(0.0, double(density[i]) - 1.0);
-  }
   const double substeps_1_s = scene_.solver.frame_rate_hz * substeps_;
-  const double energy_j = 0.5 * mass_kg_ * sum_m2 * substeps_1_s * substeps_1_s;
+  const double energy_j = fluid_->elasticEnergy_j(substeps_1_s);
   if (!springsCorrect()) return energy_j;
   return energy_j + springs_->elasticEnergy_j(particles_.position, 1.0 / substeps_1_s);
 }
@@ -80,24 +46,24 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
   stride = std::max<std::size_t>(stride, 1);
   out.resize((n + stride - 1) / stride);
   const double substeps_1_s = scene_.solver.frame_rate_hz * substeps_;
-  const double pascal = -scene_.fluid.rest_density_kg_m3 * substeps_1_s * substeps_1_s;
+  const ThermalSolver<Real>* heat = phase_change_ ? &phase_change_->heat() : nullptr;
   const auto& x = particles_.position;
   const auto& v = particles_.velocity;
   const Phase of_scene = frozen() ? Phase::kIce : Phase::kWater;
   for (std::size_t k = 0; k < out.size(); ++k) {
     const Index i = places[k * stride];
-    const Phase phase = phases_ ? phases_->of(i) : of_scene;
+    const Phase phase = phase_change_ ? phase_change_->phases().of(i) : of_scene;
     out[k] = {float(x.x[i]),
               float(x.y[i]),
               float(x.z[i]),
               float(v.x[i]),
               float(v.y[i]),
               float(v.z[i]),
-              float(heat_ ? heat_->temperature(i) : report_.temperature_c),
-              float(heat_ ? heat_->iceFraction(i) : strictness_),
-              phase == Phase::kSteam ? kSteamDensity : float(density_->density()[i]),
-              float(pascal * double(density_->multiplier()[i])),
-              std::uint32_t(k * stride),
+              float(heat ? heat->temperature(i) : report_.temperature_c),
+              float(heat ? heat->iceFraction(i) : strictness_),
+              phase == Phase::kSteam ? kSteamDensity : float(fluid_->density()[i]),
+              float(fluid_->pressure_pa(i, substeps_1_s)),
+              particles_.id[i],
               phase};
   }
 }
@@ -116,56 +82,12 @@ void Simulator<Real>::sampleSprings(std::vector<SpringSample>& out, std::size_t 
 }
 
 template <class Real>
-Simulation::DensityError Simulator<Real>::measureDensityError() {
-  const Real h = static_cast<Real>(2 * scene_.fluid.spacing_m);
-  const CubicSpline<Real> kernel(h);
-  const double volume = 1.0 / latticeSum(CubicSpline<double>(h), scene_.fluid.spacing_m, true);
-  if (!reference_boundary_) {
-    Scene yardstick = scene_;
-    yardstick.fluid.kernel = KernelPair::kCubic;
-    yardstick.fluid.support_radius_m = 0.0;
-    reference_boundary_.emplace(yardstick, colliders_, volume);
-  }
-  std::vector<Real> density(particles_.size());
-  arena_.execute([&] {
-    Neighbours<Real> fresh(h, 0);
-    VectorField<Real> sorted = particles_.position;
-    const std::vector<Index> order = fresh.sortOrder(particles_.position);
-    permute(sorted, order, density);
-    fresh.build(sorted);
-    std::vector<Real> share(sorted.size(), Real(1));
-    if (phases_)
-      std::transform(order.begin(), order.end(), share.begin(),
-                     [&](Index i) { return phases_->share()[i]; });
-    parallelFor(sorted.size(), [&](std::size_t i) {
-      const Vec3<Real> xi = sorted.at(i);
-      density[i] = 0;
-      if (share[i] == 0) return;  // steam has no density to keep
-      Real sum = share[i] * kernel.w(0);
-      for (const Index j : fresh.of(i)) sum += share[j] * kernel.w((xi - sorted.at(j)).norm());
-      density[i] = static_cast<Real>(volume) * sum + reference_boundary_->at(xi).value;
-    });
-  });
-  return densityError(density);
-}
-
-template <class Real>
-std::size_t Simulator<Real>::countEscaped() const {
+void Simulator<Real>::sampleRelativeVolumes(std::vector<float>& out) const {
+  out.assign(particles_.owned(), 1.0f);
+  if (!phase_change_) return;
   const std::vector<Index> places = placesById(particles_.id);
-  std::size_t escaped = 0;
-  for (std::size_t k = 0; k < spawns_.size(); ++k) {
-    const Block& block = scene_.blocks[k];
-    const Vec3<Real> centre = ((block.min_m + block.max_m) / 2).cast<Real>();
-    for (const MovingShape<Real>& body : colliders_) {
-      if (!body.shape.closed() || !body.shape.holds(body.placed.toLocal(centre))) continue;
-      for (std::uint32_t id = spawns_[k].first_id; id < spawns_[k].first_id + spawns_[k].count;
-           ++id) {
-        const Vec3<Real> local = body.motion.to.toLocal(particles_.position.at(places[id]));
-        if (!body.shape.holds(local)) ++escaped;
-      }
-    }
-  }
-  return escaped;
+  const std::vector<Real>& volume = phase_change_->phases().relativeVolume();
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = static_cast<float>(volume[places[k]]);
 }
 
 template <class Real>
@@ -174,22 +96,20 @@ std::vector<StageStats> Simulator<Real>::stages() const {
   const bool iterates = scene_.solver.iterations > 0;
   list.push_back(predict_clock_.stats(particles_.bytes()));
   list.push_back(neighbours_clock_.stats(neighbours_.bytes()));
-  if (springs_ && !heat_) list.push_back(make_springs_clock_.stats(springs_->bytes()));
-  if (bodies_) list.push_back(contacts_clock_.stats(contacts_->bytes()));
+  if (springs_ && !phase_change_) list.push_back(make_springs_clock_.stats(springs_->bytes()));
+  if (bodies()) list.push_back(phase_change_->contactsStage());
   if (iterates) {
-    list.push_back(lambda_clock_.stats(density_->bytes() + (walls_ ? walls_->bytes() : 0)));
-    list.push_back(delta_p_clock_.stats(0));
+    list.push_back(fluid_->lambdaStage());
+    list.push_back(fluid_->deltaPStage());
   }
   if (!colliders_.empty()) list.push_back(collide_clock_.stats(colliders_.bytes()));
   if (springsCorrect()) list.push_back(correct_springs_clock_.stats(0));
   if (iterates) list.push_back(position_clock_.stats(0));
-  if (bodies_) list.push_back(bodies_clock_.stats(bodies_->bytes()));
+  if (bodies()) list.push_back(phase_change_->bodiesStage());
   list.push_back(velocity_clock_.stats(0));
-  if (viscosity_) list.push_back(viscosity_clock_.stats(viscosity_->bytes()));
-  if (heat_) list.push_back(heat_clock_.stats(heat_->bytes()));
-  if (phases_) {
-    list.push_back(phases_clock_.stats(phases_->bytes() + (springs_ ? springs_->bytes() : 0)));
-  }
+  if (fluid_->viscous()) list.push_back(viscosity_clock_.stats(fluid_->viscosityBytes()));
+  if (phase_change_) list.push_back(phase_change_->heatStage());
+  if (phase_change_) list.push_back(phase_change_->phasesStage());
   list.push_back(report_clock_.stats(0));
   return list;
 }

@@ -24,7 +24,7 @@ class HeatedRegions {
     archive(self.active_);
   }
   /// @throws InvalidInput when what was read could not have been asked for
-  void settle(const Scene& scene) const;
+  void restore(const Scene& scene) const;
 
   std::size_t bytes() const { return active_.capacity() * sizeof(HeatedRegion); }
 

@@ -63,7 +63,7 @@ class ThermalBoundaries {
   }
 
   /// @throws InvalidInput when what was read is no temperature or ramp
-  void settle() const;
+  void restore() const;
 
   std::size_t bytes() const { return share_.bytes() + surfaces_.capacity() * sizeof(Surface); }
 

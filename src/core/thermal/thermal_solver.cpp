@@ -37,8 +37,7 @@ Scene withCubicKernel(Scene scene) {
 }  // namespace
 
 template <class Real>
-ThermalSolver<Real>::ThermalSolver(const Scene& scene, const std::vector<Spawn>& spawns,
-                                   const Colliders<Real>& colliders)
+ThermalSolver<Real>::ThermalSolver(const Scene& scene, const Colliders<Real>& colliders)
     : params_(scene.thermal),
       curve_(scene.thermal),
       lattice_(scene),
@@ -52,10 +51,11 @@ ThermalSolver<Real>::ThermalSolver(const Scene& scene, const std::vector<Spawn>&
     cover_.emplace(withCubicKernel(scene), colliders, lattice_.volume_m3);
   }
   scaleBareArea();
-  for (std::size_t k = 0; k < spawns.size(); ++k) {
-    enthalpy_.resize(spawns[k].first_id + spawns[k].count,
-                     curve_.enthalpy(scene.blocks[k].celsius));
-  }
+}
+
+template <class Real>
+void ThermalSolver<Real>::add(std::size_t count, double celsius) {
+  enthalpy_.resize(enthalpy_.size() + count, curve_.enthalpy(celsius));
   received_.resize(enthalpy_.size());
 }
 

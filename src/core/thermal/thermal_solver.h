@@ -27,10 +27,8 @@ class ThermalSolver {
   /// Steps that a frame takes at most; what a higher speed-up asks for beyond is left out.
   static constexpr int kMostPasses = 200;
 
-  /// @param spawns ids of each block of the scene, each of which starts at its `celsius`
-  /// @param colliders must outlive it
-  ThermalSolver(const Scene& scene, const std::vector<Spawn>& spawns,
-                const Colliders<Real>& colliders);
+  /// Without particles. @param colliders must outlive it
+  ThermalSolver(const Scene& scene, const Colliders<Real>& colliders);
   ThermalSolver(const ThermalSolver&) = delete;
   ThermalSolver& operator=(const ThermalSolver&) = delete;
 
@@ -38,6 +36,9 @@ class ThermalSolver {
   /// @param neighbours lists that hold every pair nearer than the support radius
   void advance(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
                const ThermalStep<Real>& step);
+
+  /// Appends particles of one temperature.
+  void add(std::size_t count, double celsius);
 
   /// Puts particle order[k] at place k, as Particles::reorder does.
   void reorder(const std::vector<Index>& order);
@@ -63,7 +64,8 @@ class ThermalSolver {
 
   /// Sum over the particles in their order, J.
   double totalEnthalpy_j() const;
-  /// What walls, air and regions have put in since the start, J; totalEnthalpy_j less this stays.
+  /// What walls, air and regions have put into these particles since they came, J;
+  /// totalEnthalpy_j less this stays.
   double heatIn_j() const;
 
   /// Passes of the latest advance, and the seconds of heat that passed in a simulated second of it:
@@ -81,7 +83,7 @@ class ThermalSolver {
             self.longest_pass_s_, self.reached_speedup_);
   }
   /// @throws InvalidInput when what was read is not that of `particles` particles of this scene
-  void settle(std::size_t particles, const Scene& scene) const;
+  void restore(std::size_t particles, const Scene& scene) const;
 
  private:
   void measure(const Particles<Real>& particles, const Neighbours<Real>& neighbours,

@@ -12,7 +12,7 @@ class DensityMetric final : public MetricRecorder {
   void report(std::vector<ErrorMetric>& metrics) const override;
 
  private:
-  Simulation::DensityError cubic_, own_;  ///< sums
+  DensityError cubic_, own_;  ///< sums
   std::size_t frames_ = 0;
 };
 

@@ -11,6 +11,7 @@
 
 #include "fixtures.h"
 #include "ice_ice_baby/simulation.h"
+#include "metrics/escape_meter.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -278,7 +279,7 @@ TEST_P(ShippedScene, RunsUnderBothPresetsOrWithHeatUnderItsOwn) {
     for (int k = 0; k < 3; ++k) simulation->advanceFrame();
     EXPECT_GT(simulation->report().particles, 0u);
     EXPECT_EQ(simulation->report().non_finite, 0u);
-    EXPECT_EQ(simulation->countEscaped(), 0u);
+    EXPECT_EQ(countEscaped(*simulation), 0u);
     std::vector<ParticleSample> samples;
     simulation->sample(samples, 1);
     for (const ParticleSample& s : samples) {

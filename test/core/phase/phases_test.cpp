@@ -51,7 +51,7 @@ TEST_F(PhasesTest, BoilsOnceTheLatentHeatIsAbsorbedAndCondensesOnceItIsReleased)
   };
   EXPECT_EQ(at(boils + 0.99 * scene_.thermal.latent_heat_vaporisation_j_kg), Phase::kWater);
   EXPECT_EQ(at(boils + 1.01 * scene_.thermal.latent_heat_vaporisation_j_kg), Phase::kSteam);
-  EXPECT_EQ(phases.share()[0], 0.0f);
+  EXPECT_EQ(phases.relativeVolume()[0], 0.0f);
   EXPECT_EQ(at(boils + 0.01 * scene_.thermal.latent_heat_vaporisation_j_kg), Phase::kSteam);
   EXPECT_EQ(at(boils - 1.0), Phase::kWater);
 }
@@ -60,12 +60,12 @@ TEST_F(PhasesTest, WaterSwellsInHalfASecondAndIsIceOnlyThen) {
   Phases<double> phases(scene_, 1);
   const double expansion = 1 / scene_.ice.density_ratio - 1;
   settle(phases, {scene_.thermal.latent_heat_fusion_j_kg / 2});
-  EXPECT_NEAR(phases.share()[0], 1 + expansion / 2, 1e-12);
+  EXPECT_NEAR(phases.relativeVolume()[0], 1 + expansion / 2, 1e-12);
   EXPECT_NEAR(phases.slush()[0], 0.5, 1e-12);
   phases.update(curve(), {curve().enthalpy(-20.0)});
   for (int k = 0; k < 5; ++k) phases.swell(0.01);
   phases.update(curve(), {curve().enthalpy(-20.0)});
-  EXPECT_NEAR(phases.share()[0], 1 + expansion * 0.6, 1e-12);
+  EXPECT_NEAR(phases.relativeVolume()[0], 1 + expansion * 0.6, 1e-12);
   EXPECT_EQ(phases.of(0), Phase::kWater);
   EXPECT_EQ(phases.slush()[0], 1.0);
   phases.swell(0.3);
@@ -77,10 +77,10 @@ TEST_F(PhasesTest, WaterSwellsInHalfASecondAndIsIceOnlyThen) {
 TEST_F(PhasesTest, CondensingSteamSwellsFromNoVolume) {
   Phases<double> phases(scene_, 1);
   settle(phases, {curve().enthalpy(200.0)});
-  ASSERT_EQ(phases.share()[0], 0.0);
+  ASSERT_EQ(phases.relativeVolume()[0], 0.0);
   phases.update(curve(), {curve().enthalpy(50.0)});
   phases.swell(0.1);
-  EXPECT_NEAR(phases.share()[0], 0.2, 1e-12);
+  EXPECT_NEAR(phases.relativeVolume()[0], 0.2, 1e-12);
 }
 
 /// A row of five particles a spacing apart: water, ice, ice, water, steam.

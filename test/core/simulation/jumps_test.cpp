@@ -4,6 +4,7 @@
 
 #include "fixtures.h"
 #include "simulation/simulator.h"
+#include "metrics/escape_meter.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -44,7 +45,7 @@ double nearestTo(const Simulation& simulation, const Vec3d& centre) {
 void expectWhole(const Simulation& simulation, std::size_t particles) {
   EXPECT_EQ(simulation.report().particles, particles);
   EXPECT_EQ(simulation.report().non_finite, 0u);
-  EXPECT_EQ(simulation.countEscaped(), 0u);
+  EXPECT_EQ(countEscaped(simulation), 0u);
 }
 
 Posed posed(const Vec3d& position, const Vec3d& rpy_deg = Vec3d::Zero()) {

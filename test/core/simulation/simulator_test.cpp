@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "fixtures.h"
+#include "metrics/density_meter.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -148,7 +149,7 @@ TEST(SimulatorTest, ZeroParticlesRunAndReportNothing) {
     EXPECT_EQ(simulation->report().particles, 0u);
     EXPECT_EQ(simulation->report().density_error_mean, 0.0);
     EXPECT_EQ(simulation->report().rms_speed_m_s, 0.0);
-    EXPECT_EQ(simulation->measureDensityError().max, 0.0);
+    EXPECT_EQ(measureDensityError(*simulation).max, 0.0);
     std::vector<ParticleSample> samples(3);
     simulation->sample(samples, 1);
     EXPECT_TRUE(samples.empty());

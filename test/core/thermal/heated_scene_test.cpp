@@ -5,6 +5,7 @@
 
 #include "thermal/kettle.h"
 #include "unchecked.h"
+#include "metrics/escape_meter.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -41,7 +42,7 @@ TEST(SteamTest, WaterBoilsRisesCondensesOnTheLidAndFallsBack) {
   EXPECT_GT(max_steam, 5u);
   EXPECT_GT(condensed, 5u);
   EXPECT_GT(highest, 0.35f) << "steam reaches the lid";
-  EXPECT_EQ(simulator.countEscaped(), 0u);
+  EXPECT_EQ(countEscaped(simulator), 0u);
   EXPECT_EQ(simulator.report().non_finite, 0u);
 }
 
@@ -212,7 +213,7 @@ TEST(HeatedExtremesTest, NothingBecomesNotFiniteOrEscapes) {
       ASSERT_GE(p.temperature_c, kTemperatureRange_c.min - 1e-3);
       ASSERT_LE(p.temperature_c, kTemperatureRange_c.max + 1e-3);
     }
-    EXPECT_EQ(simulation->countEscaped(), 0u);
+    EXPECT_EQ(countEscaped(*simulation), 0u);
     EXPECT_EQ(simulation->report().non_finite, 0u);
   }
 }

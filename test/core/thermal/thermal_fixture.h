@@ -20,7 +20,10 @@ struct StillHeat {
         particles(spawnParticles<Real>(scene, spawns)),
         neighbours(static_cast<Real>(scene.supportRadius_m()),
                    static_cast<Real>(0.3 * scene.fluid.spacing_m)),
-        heat(scene, spawns, colliders) {
+        heat(scene, colliders) {
+    for (std::size_t k = 0; k < spawns.size(); ++k) {
+      heat.add(spawns[k].count, scene.blocks[k].celsius);
+    }
     const auto& order = neighbours.sortOrder(particles.predicted);
     particles.reorder(order);
     heat.reorder(order);

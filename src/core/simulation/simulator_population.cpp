@@ -1,0 +1,93 @@
+// Particles that come and go between two frames.
+#include <cmath>
+
+#include "ice_ice_baby/errors.h"
+#include "simulation/simulator.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+void requireVelocity(const Vec3d& velocity_m_s, double max_speed_m_s) {
+  const double speed_m_s = velocity_m_s.norm();
+  requireInRange("speed of a new particle in m/s", speed_m_s, 0.0, max_speed_m_s);
+}
+
+void requirePosition(const Vec3d& position_m) {
+  for (int axis = 0; axis < 3; ++axis) {
+    requireInRange(std::string(1, "xyz"[axis]) + " of a new particle in m", position_m[axis],
+                   kCoordinateRange_m.min, kCoordinateRange_m.max);
+  }
+}
+
+}  // namespace
+
+template <class Real>
+std::uint32_t Simulator<Real>::addParticles(const std::vector<Vec3d>& position_m,
+                                            const std::vector<Vec3d>& velocity_m_s,
+                                            double celsius) {
+  const std::size_t count = position_m.size();
+  if (velocity_m_s.size() != count) {
+    throw InvalidInput(std::to_string(count) + " positions of new particles and " +
+                       std::to_string(velocity_m_s.size()) + " velocities; give one for each");
+  }
+  for (const Vec3d& x : position_m) requirePosition(x);
+  for (const Vec3d& v : velocity_m_s) requireVelocity(v, scene_.solver.max_speed_m_s);
+  requireTemperature(celsius, 0.0);
+  requireInRange("particles with the new ones", double(particles_.owned() + count), 0.0,
+                 scene_.limits.max_particles);
+  const std::uint32_t first_id = particles_.next_id;
+  requireInRange("ids in use with the new ones", double(first_id) + double(count), 0.0,
+                 double(kNone));
+  if (count == 0) return first_id;
+  particles_.add(position_m, velocity_m_s);
+  if (phase_change_) phase_change_->add(count, celsius);
+  arena_.execute([&] {
+    renewNeighbours();
+    if (springs_ && springs_->kept()) {
+      const double reach_m = scene_.springs.reach_h * scene_.supportRadius_m();
+      springs_->joinNew(particles_, neighbours_, static_cast<Real>(reach_m), first_id);
+    }
+    followParticles();
+  });
+  return first_id;
+}
+
+template <class Real>
+std::size_t Simulator<Real>::removeParticles(
+    const std::function<bool(std::uint32_t id, const Vec3d& position_m)>& goes) {
+  std::vector<char> gone(particles_.size(), false);
+  std::vector<Index> stay;
+  for (Index i = 0; i < particles_.size(); ++i) {
+    gone[i] = goes(particles_.id[i], particles_.position.at(i).template cast<double>());
+    if (!gone[i]) stay.push_back(i);
+  }
+  const std::size_t went = gone.size() - stay.size();
+  if (went == 0) return 0;
+  arena_.execute([&] {
+    if (springs_) springs_->removeOf(gone);
+    if (phase_change_) phase_change_->release(gone, particles_, neighbours_);
+    reorder(stay);
+    renewNeighbours();
+    followParticles();
+  });
+  return went;
+}
+
+/// What follows from the particles that there are now. Nothing of it moves one, but what came to
+/// exactly the place of another.
+template <class Real>
+void Simulator<Real>::followParticles() {
+  if (neighbours_.coincident()) particles_.position = particles_.predicted;
+  if (phase_change_) phase_change_->followParticles(particles_, neighbours_);
+  fluid_->updateDensity(particles_, neighbours_);
+  report_.particles = particles_.owned();
+  report_.springs = springs_ ? springs_->size() : 0;
+  report_.asleep = false;
+  still_s_ = 0.0;
+}
+
+template class Simulator<float>;
+template class Simulator<double>;
+
+}  // namespace ice_ice_baby
