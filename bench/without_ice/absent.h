@@ -25,6 +25,8 @@ struct Absent {
 struct Zero {
   constexpr operator double() const { return 0.0; }
   void operator=(double) {}
+  template <class Self, class Archive>
+  static void exchange(Self&, Archive&) {}
 };
 
 /// Water that is never asked how warm it is.
@@ -35,6 +37,9 @@ struct NoTemperature {
   [[noreturn]] void set(double, double) { std::abort(); }
   constexpr double celsius() const { return 20.0; }
   constexpr double strictness() const { return 0.0; }
+  template <class Self, class Archive>
+  static void exchange(Self&, Archive&) {}
+  void restore() const {}
 };
 
 }  // namespace ice_ice_baby

@@ -58,20 +58,24 @@ def _print(name_a, a, name_b, b):
 def leave_out_ice(tree):
     """Takes springs, temperature, heat and bodies of ice out of a copy of the source."""
     own = ROOT / "bench" / "without_ice" / "absent.h"
-    include = tree.source / "include" / "ice_ice_baby"
-    shutil.copy2(own, include / "absent.h")
-    simulator = include / "simulator.h"
-    parts = "Springs|Heat|Phases|IceBodies|IceContacts|Steam"
-    _edit(simulator, rf"std::optional<(({parts})<Real>)>", r"Absent<\1>", 6)
+    core = tree.source / "src" / "core"
+    shutil.copy2(own, core / "simulation" / "absent.h")
+    simulator = core / "simulation" / "simulator.h"
+    phase_change = core / "simulation" / "phase_change.h"
+    _edit(simulator, r"std::optional<((Springs|PhaseChange)<Real>)>", r"Absent<\1>", 2)
+    _edit(phase_change, r"std::optional<(Springs<Real>)>", r"Absent<\1>", 2)
     _edit(simulator, r"\bTemperature temperature_;", "NoTemperature temperature_;")
     _edit(simulator, r"\bdouble strictness_ = 0\.0;", "Zero strictness_;")
     _edit(
-        simulator,
-        r'#include "ice_ice_baby/colliders.h"',
-        '#include "ice_ice_baby/absent.h"\n\\g<0>',
+        phase_change,
+        r'#include "thermal/thermal_solver.h"',
+        '#include "simulation/absent.h"\n\\g<0>',
     )
-    left_out = r"\n +(springs|temperature|phases|steam|simulator_ice|ice_\w+|contact_\w+)\.cpp"
-    _edit(tree.source / "src" / "core" / "CMakeLists.txt", left_out, "", 12)
+    ice = r"ice/(springs|temperature|ice_\w+|contact_\w+)"
+    left_out = (
+        rf"\n +({ice}|phase/(phases|steam)|simulation/phase_change|checkpoint/restored_ice)\.cpp"
+    )
+    _edit(core / "CMakeLists.txt", left_out, "", 14)
     return tree
 
 

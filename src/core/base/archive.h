@@ -50,7 +50,8 @@ class StateWriter {
     for (const Item& item : items) write_item(item);
   }
 
-  /// Writes a value of a std::optional or the like. `made_of` are the constructor arguments that the reader uses.
+  /// Writes a value of a std::optional or the like. `made_of` are the constructor arguments that
+  /// the reader uses.
   template <class Optional, class Made>
   void optional(const Optional& value, const Made&) {
     write(value.has_value());

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "fixtures.h"
-#include "unchecked.h"
 #include "metrics/density_meter.h"
+#include "unchecked.h"
 
 namespace ice_ice_baby {
 namespace {

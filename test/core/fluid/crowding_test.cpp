@@ -3,8 +3,8 @@
 
 #include "fixtures.h"
 #include "ice_ice_baby/errors.h"
-#include "unchecked.h"
 #include "metrics/escape_meter.h"
+#include "unchecked.h"
 
 namespace ice_ice_baby {
 namespace {

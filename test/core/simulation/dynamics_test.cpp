@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "fixtures.h"
-#include "unchecked.h"
 #include "metrics/density_meter.h"
 #include "metrics/escape_meter.h"
+#include "unchecked.h"
 
 namespace ice_ice_baby {
 namespace {

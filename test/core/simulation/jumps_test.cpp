@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "fixtures.h"
-#include "simulation/simulator.h"
 #include "metrics/escape_meter.h"
+#include "simulation/simulator.h"
 
 namespace ice_ice_baby {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "metrics/escape_meter.h"
 #include "thermal/kettle.h"
 #include "unchecked.h"
-#include "metrics/escape_meter.h"
 
 namespace ice_ice_baby {
 namespace {
