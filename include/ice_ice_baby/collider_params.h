@@ -1,5 +1,5 @@
-// Colliders of a scene: plain data and its keys, as in params.h. CONTRIBUTING.md tells how to add a
-// shape.
+// Colliders of a scene as plain data, and their keys, as in params.h. CONTRIBUTING.md describes how
+// to add a shape.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ namespace ice_ice_baby {
 
 constexpr Range kCoordinateRange_m{-kMaxCoordinate_m, kMaxCoordinate_m};
 
-/// Pose whose rotation is Rz(yaw) Ry(pitch) Rx(roll), as REP 103 has it.
+/// Pose with the rotation Rz(yaw) Ry(pitch) Rx(roll), as in REP 103.
 Posed poseOf(const Vec3d& position_m, const Vec3d& rpy_deg);
 
-/// What colliders of every shape share.
+/// Common members of all colliders.
 struct Collider {
   std::string name;
   Vec3d position_m = Vec3d::Zero();
@@ -23,8 +23,8 @@ struct Collider {
   double opacity = 0.2;
   std::string follow_frame;
   ThermalBoundary heat = ThermalBoundary::kInsulated;
-  double celsius = 20.0;   ///< of its surface, where heat is kTemperature
-  double flux_w_m2 = 0.0;  ///< into the water, where heat is kFlux
+  double celsius = 20.0;   ///< surface temperature, if heat is kTemperature
+  double flux_w_m2 = 0.0;  ///< into the water, if heat is kFlux
 
   /// Pose in the scene frame.
   Posed pose() const { return poseOf(position_m, rpy_deg); }
@@ -99,15 +99,15 @@ struct ColliderLists {
   std::vector<Sphere> spheres;
 };
 
-/// Words for the colliders of a list.
+/// Texts about a list of colliders.
 struct ColliderKind {
-  const char* key;      ///< of the list in a scene file
-  const char* noun;     ///< for one of them, in messages and in the name of one that has none
-  const char* meaning;  ///< for config/default.yaml
+  const char* key;      ///< key of the list in a scene file
+  const char* noun;     ///< one of them, in messages and default names
+  const char* meaning;  ///< text for config/default.yaml
 };
 
-/// Calls visit(list, kind) for every list of colliders. Colliders are numbered in this order, and
-/// those of later lists push first.
+/// Calls visit(list, kind) for every list of colliders. This order determines the indices of
+/// colliders. Later lists are resolved first in contact.
 template <class Lists, class Visit>
 void forEachColliderList(Lists& lists, const Visit& visit) {
   visit(lists.containers, ColliderKind{"containers", "container", "boxes that hold water"});

@@ -1,4 +1,4 @@
-// Every collider of a scene, whatever its shape.
+// Iterates over all colliders of a scene.
 #pragma once
 
 #include "ice_ice_baby/scene.h"

@@ -1,4 +1,4 @@
-// Single particles and springs as the outside sees them.
+// Samples of particles and springs, for drawing, topics and files.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 
 namespace ice_ice_baby {
 
-/// With heat, particles change phase with hysteresis (thermal.hysteresis_c) and only once the
-/// latent heat is gone or back, so the ice fraction does not tell the phase: slush that flows is
-/// water with ice in it, and ice that melts is ice until all of it has melted. Without heat every
+/// In a thermal scene, particles change phase with hysteresis (thermal.hysteresis_c) and only after
+/// exchanging the latent heat, so the phase does not follow from the ice fraction: slush that flows
+/// is water, and ice that is melting is ice until all of it has melted. In other scenes every
 /// particle is ice while the whole scene is frozen, and water otherwise.
 enum class Phase : std::uint8_t { kWater, kIce, kSteam };
 
@@ -28,7 +28,7 @@ struct ParticleSample {
   float pressure_pa;  ///< equivalent to the solver's corrections in the latest substep
   std::uint32_t id;
   Phase phase = Phase::kWater;
-  std::uint8_t unused[3] = {};  ///< zero, so that copied bytes are always the same
+  std::uint8_t unused[3] = {};  ///< zero, so that bytes are reproducible
 };
 
 /// Ends of a spring as positions in m.

@@ -1,4 +1,4 @@
-// What is in a scene: plain data, as read from YAML. config/default.yaml is its manual.
+// A scene as plain data, as read from YAML. config/default.yaml describes every key.
 #pragma once
 
 #include <string>
@@ -12,32 +12,32 @@ namespace ice_ice_baby {
 enum class BlockShape { kBox, kSphere, kCylinder };
 inline std::vector<std::string> choices(BlockShape) { return {"box", "sphere", "cylinder"}; }
 
-/// Water on a cubic lattice that fills a box, or the ball or upright cylinder that touches all
-/// sides of it (an ellipsoid or an elliptic cylinder where they differ), then turned with its
-/// lattice about its centre; with `sheet`, a cloth joined by springs that never melt.
+/// Water on a cubic lattice that fills a box, or the largest sphere or upright cylinder in it (an
+/// ellipsoid or elliptic cylinder if the sides differ), rotated with its lattice about its centre.
+/// With `sheet`, a cloth joined by springs that never melt.
 struct Block {
   BlockShape shape = BlockShape::kBox;
   Vec3d min_m = Vec3d::Zero();
   Vec3d max_m = Vec3d::Zero();
   Vec3d rpy_deg = Vec3d::Zero();
   Vec3d velocity_m_s = Vec3d::Zero();
-  Mat3<double> velocity_gradient_1_s = Mat3<double>::Zero();  ///< row: of one velocity component
+  Mat3<double> velocity_gradient_1_s = Mat3<double>::Zero();  ///< one row per velocity component
   Vec3d angular_velocity_rad_s = Vec3d::Zero();
-  double celsius = 20.0;  ///< below freezing it starts as one body of ice; only with heat
+  double celsius = 20.0;  ///< below freezing: starts as one body of ice; thermal scenes only
   bool sheet = false;
-  Vec3d copies = Vec3d::Ones();         ///< along x, y, z; the reader makes blocks of them
+  Vec3d copies = Vec3d::Ones();         ///< along x, y, z; expanded to blocks when read
   Vec3d copies_step_m = Vec3d::Zero();  ///< from one copy to the next
 
   Vec3d centre_m() const { return (min_m + max_m) / 2; }
 
-  /// Velocity with which water at `point_m` starts.
+  /// Initial velocity of water at `point_m`.
   Vec3d velocityAt(const Vec3d& point_m) const {
     const Vec3d arm = point_m - centre_m();
     return velocity_m_s + velocity_gradient_1_s * arm + angular_velocity_rad_s.cross(arm);
   }
 };
 
-/// Temperature set at a time by the scene itself; a set_temperature from outside cancels the rest.
+/// Scheduled change of temperature. A call of setTemperature cancels the remaining schedule.
 struct TemperatureEvent {
   double at_s = 0.0;
   double celsius = 20.0;
@@ -66,33 +66,33 @@ struct Scene : ColliderLists {
   std::vector<TemperatureEvent> schedule;
   std::vector<Block> blocks;
 
-  /// Support radius h in m and spacing d in m in force, with 0 resolved.
+  /// Support radius h in force, m, with 0 resolved.
   double supportRadius_m() const;
-  /// Substeps of a frame in force, of the first one where a target error is followed.
+  /// Substeps per frame in force; with a target error, those of the first frame.
   int substeps() const;
-  /// Whether a block starts as ice: with heat, colder than where water freezes.
+  /// Whether a block starts as ice: in a thermal scene, below the freezing point.
   bool startsFrozen(const Block& block) const;
-  /// Spacing of the lattice of a block in m: that of ice where it starts frozen.
+  /// Lattice spacing of a block, m; that of ice if it starts frozen.
   double spacing_m(const Block& block) const;
-  /// Factor on lambda in force, with 0 resolved: doc/algorithm.md derives it.
+  /// Factor on lambda in force, with 0 resolved; derived in doc/algorithm.md.
   double relaxation() const;
 };
 
 constexpr Range kGravityRange_m_s2{-1e4, 1e4};
 
-/// Particles that the scene spawns. A ball or a cylinder in a box of more than four times
-/// limits.max_particles counts as the whole box: the scene holds too many either way.
+/// Number of particles that the scene spawns. A sphere or cylinder whose box holds more than four
+/// times limits.max_particles counts as the whole box, because the scene exceeds the limit anyway.
 std::int64_t particleCount(const Scene& scene);
 
-/// Refuses a value out of its range, and what no single key shows to be wrong: no room in memory,
-/// freezing above onset, a kernel that reaches too few or too many neighbours, a set of constants
-/// that cannot be a fluid, water that begins where something else is (requireFreeSpawn).
+/// Checks every value against its range, and combinations of values: freezing below onset, a kernel
+/// that reaches a sensible number of neighbours, constants that can be a fluid, and water that does
+/// not overlap anything at the start (requireFreeSpawn).
 /// @throws InvalidInput
 void validate(const Scene& scene);
 
-/// Overwrites the keys that make a method, as NUMERICS of the paper or of the default have them.
-/// The paper's h = 0.03 m, m = 1 kg hold at its own spacing of 0.0211 m; at another spacing h grows
-/// with it and m with its cube, which is the same method at another scale.
+/// Sets the keys that define the method to those of the paper; the default preset changes nothing.
+/// The paper's h = 0.03 m and m = 1 kg hold at its spacing of 0.0211 m. At another spacing h scales
+/// with the spacing and m with its cube, which is the same method at another scale.
 void applyPreset(Scene& scene, Preset preset, double spacing_m);
 
 }  // namespace ice_ice_baby

@@ -1,4 +1,4 @@
-// The simulation as its users see it: the node, the tools and the tests hold this interface only.
+// The interface of a simulation, which the node and the tools use.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +16,25 @@ class StateWriter;
 
 enum class Precision { kFloat, kDouble };
 
-/// So many torches and sprays may be at work at once.
+/// Maximum number of active heated regions.
 constexpr std::size_t kMaxHeatedRegions = 100;
 
-/// What one stage of the step has cost since the start.
+/// Cost of one stage of the step since the start.
 struct StageStats {
   std::string name;
   std::uint64_t calls = 0;
   double time_s = 0.0;
-  std::size_t bytes = 0;  ///< memory that the stage holds now
+  std::size_t bytes = 0;  ///< memory held by the stage now
 };
 
-/// A torch or a freezing spray: power spread evenly, by mass, over the particles in a region.
+/// A heat source or sink, such as a torch or a freezing spray. The power is distributed over the
+/// particles in the region in proportion to their mass.
 struct HeatedRegion {
-  BlockShape shape = BlockShape::kSphere;  ///< kBox, or kSphere: the ellipsoid that just fits in it
+  BlockShape shape = BlockShape::kSphere;  ///< kBox, or kSphere: ellipsoid that fits into the box
   Vec3d centre_m = Vec3d::Zero();
-  Vec3d size_m = Vec3d::Ones();  ///< of the box
-  double power_w = 0.0;          ///< below 0 it cools; no particle leaves kTemperatureRange_c
-  double duration_s = 0.0;       ///< simulated; thermal.speedup multiplies the energy as all heat
+  Vec3d size_m = Vec3d::Ones();  ///< size of the box
+  double power_w = 0.0;          ///< negative: cools; temperatures stay in kTemperatureRange_c
+  double duration_s = 0.0;       ///< simulated time; thermal.speedup multiplies the energy
 
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive) {
@@ -41,34 +42,34 @@ struct HeatedRegion {
   }
 };
 
-/// A run of Algorithm 1 over one scene. Not thread safe: one thread steps and asks.
+/// A run of Algorithm 1 for one scene. Not thread safe.
 class Simulation {
  public:
   virtual ~Simulation() = default;
 
   /// Simulates one frame, 1 / solver.frame_rate_hz of time.
-  /// @throws InvalidInput where so much water came together that the lists of neighbours take too
-  /// much memory; the frame is then done in part, and the next one may be tried
+  /// @throws InvalidInput if the neighbour lists of crowded water take too much memory. The frame
+  /// is then incomplete, and the next one may be tried
   virtual const StepReport& advanceFrame() = 0;
 
   virtual const StepReport& report() const = 0;
   virtual const Scene& scene() const = 0;
 
-  /// Goes to `celsius` over `ramp_s` seconds from now on.
-  /// @param target "": the whole scene, with heat its air, and the scene's own schedule is
-  /// cancelled; with heat also the name of a collider, whose surface has a temperature from then on
+  /// Ramps a temperature to `celsius` over `ramp_s` seconds from now on.
+  /// @param target "": the whole scene, or the air of a thermal scene; cancels the schedule of the
+  /// scene. In a thermal scene also the name of a collider, whose surface then has a temperature
   /// @throws InvalidInput outside [-273.15, 1000] degrees C or [0, 1e6] s, for an unknown collider,
-  /// and for any collider without heat
+  /// and for a collider if the scene is not thermal
   virtual void setTemperature(double celsius, double ramp_s, const std::string& target = "") = 0;
 
-  /// Heats or cools a region from now on. @throws InvalidInput without heat, outside the ranges of
-  /// requireHeatedRegion, and when kMaxHeatedRegions are at work already
+  /// Heats or cools a region from now on. @throws InvalidInput if the scene is not thermal, outside
+  /// the ranges of requireHeatedRegion, and if kMaxHeatedRegions are already active
   virtual void heatRegion(const HeatedRegion& region) = 0;
 
   /// @throws InvalidInput outside [-1e4, 1e4] m/s^2
   virtual void setGravity(const Vec3d& gravity_m_s2) = 0;
 
-  /// Moves a collider over the next frame; `name` is that of the scene.
+  /// Moves a collider to a pose over the next frame; `name` is its name in the scene.
   /// @throws InvalidInput for an unknown name or a pose that is not finite or too far
   virtual void moveCollider(const std::string& name, const Posed& pose) = 0;
 
@@ -81,32 +82,32 @@ class Simulation {
   /// Volume of every particle over that of water at rest, ordered by id: more for ice, 0 for steam.
   virtual void sampleRelativeVolumes(std::vector<float>& out) const = 0;
 
-  /// Every spring, up to `limit` of them, evenly thinned.
+  /// Every spring, or an even selection of at most `limit`.
   virtual void sampleSprings(std::vector<SpringSample>& out, std::size_t limit) const = 0;
 
-  /// Stages that this scene holds now, in the order of Algorithm 1.
+  /// Stages that exist in this scene now, in the order of Algorithm 1.
   virtual std::vector<StageStats> stages() const = 0;
 
-  /// Hash of the bits of all that decides on the frames to come, the scene included. Two
-  /// simulations with the same hash go on alike.
+  /// Hash of all state that determines future frames, including the scene. Simulations with the
+  /// same hash continue with the same bits.
   virtual std::uint64_t stateHash() const = 0;
 
   virtual Precision precision() const = 0;
-  /// Writes all that is hashed and the report: encodeCheckpoint makes a checkpoint of it.
+  /// Writes the hashed state and the report, for encodeCheckpoint.
   virtual void write(StateWriter& writer) const = 0;
 };
 
-/// @param threads threads to use, 0: all of the machine's
-/// @throws InvalidInput for a scene that validate() refuses or that this machine has no memory for,
-/// and for more than 1024 threads
+/// @param threads number of threads; 0: one per core
+/// @throws InvalidInput for a scene that validate() refuses or that does not fit into memory, and
+/// for more than 1024 threads
 std::unique_ptr<Simulation> makeSimulation(const Scene& scene,
                                            Precision precision = Precision::kFloat,
                                            int threads = 0);
 
-/// The checks that setTemperature, setGravity and moveCollider make, for callers that queue them.
+/// The checks of setTemperature, setGravity and moveCollider, for callers that queue these calls.
 void requireTemperature(double celsius, double ramp_s);
 void requireTarget(const Scene& scene, const std::string& target);
-/// Sizes 0 ... 200 m, power up to 1e9 W either way, duration 0 ... 1e6 s.
+/// Checks sizes (0 to 200 m), power (-1e9 to 1e9 W) and duration (0 to 1e6 s).
 void requireHeatedRegion(const Scene& scene, const HeatedRegion& region);
 void requireGravity(const Vec3d& gravity_m_s2);
 

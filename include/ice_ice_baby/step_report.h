@@ -1,9 +1,9 @@
-// Every number that a frame reports, once: member, name and meaning.
+// Every number that a frame reports: member, name and meaning.
 //
-// All that shows these numbers walks `describe`: the JSON and the CSV of run_scene, checkpoints,
-// /diagnostics, and the message State, whose comments a test compares with the meanings. A visitor
-// is called as visit(name, value, meaning). The unit is at the end of the name; a name without one
-// is a count, a ratio, or bool.
+// `describe` is used by everything that shows these numbers: the JSON and CSV of run_scene,
+// checkpoints, /diagnostics, and State.msg, whose comments a test compares with the meanings. A
+// visitor is called as visit(name, value, meaning). The unit is at the end of the name; a name
+// without one is a count, a ratio, or bool.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace ice_ice_baby {
 
-/// Walks records that have members of these names side by side, as the report and the message of
-/// it: visit(name, value of the first, value of the second, ..., meaning). Leaves out the wall
+/// Visits the members of several records with the same member names, such as the report and its
+/// message: visit(name, value of the first, value of the second, ..., meaning). Omits the wall
 /// clock, so the same scene always gives the same values.
 template <class Visitor, class... Records>
 void describeReproducible(Visitor&& visit, Records&... r) {
@@ -52,14 +52,14 @@ void describeReproducible(Visitor&& visit, Records&... r) {
   visit("steam_particles", r.steam_particles..., "of phase steam, which the density solver skips");
 }
 
-/// The same and the wall clock.
+/// The same, including the wall clock.
 template <class Visitor, class... Records>
 void describeAll(Visitor&& visit, Records&... r) {
   describeReproducible(visit, r...);
   visit("frame_wall_s", r.frame_wall_s..., "wall time that the frame took to compute");
 }
 
-/// State of the whole scene after a frame. Sums run in particle order, so they have the same bits
+/// State of the whole scene after a frame. Sums run in particle order, so they are bit-identical
 /// for any number of threads.
 struct StepReport {
   std::uint64_t frame = 0;

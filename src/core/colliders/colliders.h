@@ -1,4 +1,4 @@
-// The colliders of a scene as the solver sees them: where a moving particle may go.
+// The colliders of a scene for the solver: where a moving particle may go.
 #pragma once
 
 #include <string>
@@ -10,28 +10,28 @@
 
 namespace ice_ice_baby {
 
-/// A collider that is somewhere else at once.
+/// A collider that jumps to another pose instead of sweeping there.
 template <class Real>
 struct Jump {
-  std::size_t number;  ///< of the collider
+  std::size_t number;  ///< index of the collider
   Motion<Real> motion;
 };
 
-/// A shape with what contact needs to know of it.
+/// A shape with the data needed for contact.
 template <class Real>
 struct MovingShape {
   std::string name;
   Shape<Real> shape;
   Motion<Real> motion;
   Real friction;
-  Pose<Real> placed;  ///< where the scene has it
+  Pose<Real> placed;  ///< pose in the scene file
 };
 
 /// Colliders are numbered in the order of forEachCollider.
 template <class Real>
 class Colliders {
  public:
-  /// @param radius_m particle radius, half the spacing: the distance that centres keep
+  /// @param radius_m particle radius, half the spacing: minimum distance of particle centres
   Colliders(const Scene& scene, double radius_m);
 
   bool empty() const { return all_.empty(); }
@@ -39,51 +39,51 @@ class Colliders {
   const MovingShape<Real>& operator[](std::size_t number) const { return all_[number]; }
   auto begin() const { return all_.begin(); }
   auto end() const { return all_.end(); }
-  /// Whether any of them holds water.
+  /// Whether any of them can hold water.
   bool anyHollow() const;
   /// Whether any of them is flat.
   bool anyFlat() const;
 
-  /// Where a particle that starts a substep at `from` ends when the solver wants it at `to`:
-  /// outside every solid, its sliding reduced by Coulomb friction. In a gap too narrow for it a
-  /// particle stays where it was, or goes to the nearest free place when a collider moved in on it.
-  /// Where there is none at all the containers have the last word.
-  /// @param stick whether it does not slide
+  /// End position of a particle that starts a substep at `from` and that the solver moves to `to`:
+  /// outside every solid, with sliding reduced by Coulomb friction. In a gap that is too narrow the
+  /// particle stays where it was, or moves to the nearest free position if a collider moved into
+  /// it. If there is none, containers take precedence.
+  /// @param stick whether the particle must not slide
   Vec3<Real> respond(const Vec3<Real>& from, const Vec3<Real>& to, bool stick) const;
 
-  /// Whether a place lies behind a wall of the collider that holds the point: a ground just under a
-  /// container must not count on top of its floor.
-  /// @param flush whether that also holds for what lies flush with the wall
+  /// Whether `place` lies behind a wall of the collider that contains the point: a ground just
+  /// below a container must not count in addition to its floor.
+  /// @param flush whether a place flush with the wall counts as behind it
   bool hidden(const Vec3<Real>& point, const Vec3<Real>& place, bool flush) const;
 
-  /// Poses at the start and the end of the substep that comes next.
+  /// Sets the poses at the start and the end of the next substep.
   /// @param begin, end fractions of the frame
   void setSubstep(double begin, double end);
 
-  /// Moves a collider over the frame that comes next. @throws InvalidInput for an unknown name
+  /// Moves a collider to a pose over the next frame. @throws InvalidInput for an unknown name
   void moveTo(const std::string& name, const Posed& pose);
-  /// Colliders of which a point would go further than `most_m` over the frame do not sweep through
-  /// what lies between: they are where they were going before it begins.
-  /// @param reach_m how far from its origin a point of an infinite collider matters
-  /// @return one entry each, with its pose before and now
+  /// Colliders with a point that would move farther than `most_m` in the frame do not sweep: they
+  /// jump to their target pose before the frame starts.
+  /// @param reach_m distance from the origin up to which an infinite collider matters
+  /// @return one entry per collider that jumped, with its poses before and after
   std::vector<Jump<Real>> jump(double most_m, double reach_m);
-  /// Ends the frame: every collider is where it was going.
+  /// Ends the frame: every collider is at its target pose.
   void endFrame();
   Posed pose(const std::string& name) const;
 
   std::size_t bytes() const;
 
-  /// Where each of them is and where it goes; what they are is the scene's.
+  /// Lists present and target poses; everything else follows from the scene.
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive) {
     for (auto& travel : self.travels_) archive(travel.start, travel.target);
     for (auto& collider : self.all_) archive(collider.motion);
   }
-  /// @throws InvalidInput when what was read is nowhere that a collider may be
+  /// @throws InvalidInput if a pose from a checkpoint is out of range
   void restore() const;
 
  private:
-  /// Where a collider goes over a frame.
+  /// Motion of a collider over a frame.
   struct Travel {
     std::string name;
     Posed start;

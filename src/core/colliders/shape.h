@@ -1,4 +1,4 @@
-// The shape of a collider, whichever it is. shape_basis.h says what each of them answers.
+// The shape of a collider as a variant. shape_basis.h lists the members that each shape has.
 #pragma once
 
 #include <utility>

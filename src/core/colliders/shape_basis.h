@@ -1,4 +1,4 @@
-// What every shape of a collider answers, and the answers that most of them share.
+// The members that every collider shape has, and defaults for those that most shapes share.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ struct NearSurface {
   Real gap;            ///< from the point to where the centre of a particle touches, m
   Real distance;       ///< from the point to the surface itself, m; negative within the solid
   Vec3<Real> normal;   ///< out of the solid, of length 1
-  Real flatness;       ///< radius of curvature over distance from its centre; 1: flat
+  Real flatness;       ///< radius of curvature / distance from its centre; 1: flat
   int axis;            ///< surfaces of a shape with different axes meet at right angles
-  Vec3<Real> resting;  ///< where the centre of a particle may rest on a flat surface
+  Vec3<Real> resting;  ///< position of a particle centre at rest on a flat surface
 };
 
 template <class Real>
@@ -32,48 +32,49 @@ struct NearSurfaces {
   NearSurface<Real>* end() { return list.data() + count; }
 };
 
-/// Where a point is beside the rim at which the walls of an open container end.
+/// Position of a point relative to the rim of an open container.
 template <class Real>
 struct Rim {
-  Real above;        ///< how far the point is above the rim, m
-  Vec3<Real> below;  ///< the point, put just below the rim where it is above
-  /// Along x and y how far it is over a wall, to which side, and how far the wall counts there.
+  Real above;        ///< height above the rim, m
+  Vec3<Real> below;  ///< the point, moved just below the rim if it is above
+  /// Along x and y: distance over the wall, side, and width over which the wall counts.
   std::array<Real, 2> over, side, width;
 };
 
 /// A shape in its own frame is a class template with these members:
 ///
 ///   resolve(from, to)        nearest allowed end of the path of a particle's centre
-///   near(point, reach)       surfaces nearer than `reach` to a point, as NearSurfaces
-///   clear(from, to, margin)  1 when the path surely stays further than `margin` from where the
-///                            shape would stop it; without branches, as many are asked at a time
-///   faces(path, faces)       planes that the end of a path may not pass, for bodies that rest
-///   turningRadius(far)       how far from the origin a rotation moves a point of the shape, m;
-///                            of an infinite shape the points no further than `far` count
+///   near(point, reach)       surfaces closer than `reach` to a point, as NearSurfaces
+///   clear(from, to, margin)  1 if the path certainly stays farther than `margin` from the shape;
+///                            branch-free, because many paths are tested at a time
+///   faces(path, faces)       planes that the end of a path may not cross, for resting bodies
+///   turningRadius(far)       largest distance of a point of the shape from its origin, m; in an
+///                            infinite shape only points closer than `far` count
 ///   mesh(detail)             its surface as ColliderMesh
 ///   cast<Other>()            itself in other precision
 ///
-/// and with those of its basis that it answers otherwise. Its measures bound the centres of
-/// particles: they are those of the scene, grown by the particle radius.
+/// and overrides of ShapeBasis where needed. Its dimensions bound particle centres: they are those
+/// of the scene plus the particle radius.
 template <class Real>
 struct ShapeBasis {
-  Real radius;  ///< of a particle, m: half the spacing
+  Real radius;  ///< particle radius, m: half the spacing
 
-  /// Whether it encloses a space that holds water, which comes along when it jumps.
+  /// Whether it can hold water, which moves along when it jumps.
   bool hollow() const { return false; }
-  /// Whether nothing can leave or enter that space.
+  /// Whether no particle can enter or leave it.
   bool closed() const { return false; }
   bool holds(const Vec3<Real>&) const { return false; }
-  /// Whether a wall between them hides a place from a point that the shape holds.
-  /// @param slack how far beyond the wall's surface a place still is in view
+  /// Whether a wall separates `place` from a point inside the shape.
+  /// @param slack depth behind the wall surface up to which a place still counts as inside
   bool hides(const Vec3<Real>&, const Vec3<Real>&, Real) const { return false; }
-  /// For a point nearer than `reach` to the height of a rim.
+  /// The rim, for a point closer than `reach` to its height.
   std::optional<Rim<Real>> rim(const Vec3<Real>&, Real) const { return std::nullopt; }
-  /// Of the whole surface, m.
+  /// Radius of curvature of the whole surface, m.
   Real curvatureRadius() const { return std::numeric_limits<Real>::infinity(); }
-  /// Whether particles may pass it by any way round.
+  /// Whether particles may slide around it in any direction.
   bool round() const { return false; }
-  /// How deep a straight path cuts through a round shape between its ends, m; 0 or less: not.
+  /// Depth to which a straight path cuts through a round shape between its ends, m; at most 0 if it
+  /// does not.
   Real cut(const Vec3<Real>&, const Vec3<Real>&) const { return 0; }
 };
 

@@ -1,4 +1,4 @@
-// Balls.
+// Spheres.
 #pragma once
 
 #include <algorithm>
@@ -10,18 +10,18 @@
 
 namespace ice_ice_baby {
 
-/// Ball around the origin; `reach` is its radius plus that of a particle.
+/// Sphere around the origin; `reach` is its radius plus that of a particle.
 template <class Real>
 struct SphereShape : ShapeBasis<Real> {
   Real reach;
 
   Vec3<Real> resolve(const Vec3<Real>& from, const Vec3<Real>& to) const;
 
-  /// None for the centre, which has no nearest point.
+  /// Empty for the centre, which has no nearest surface point.
   NearSurfaces<Real> near(const Vec3<Real>& point, Real reach_m) const;
 
   std::uint32_t clear(const Vec3<Real>& from, const Vec3<Real>& to, Real margin_m) const {
-    // The sum of three lengths is no shorter than the path.
+    // The sum of three lengths is an upper bound of the path length.
     const Real bound = reach + margin_m + std::abs(to.x() - from.x()) +
                        std::abs(to.y() - from.y()) + std::abs(to.z() - from.z());
     const Real square = from.x() * from.x() + from.y() * from.y() + from.z() * from.z();

@@ -15,8 +15,7 @@ double kernelValue(KernelPair pair, double h, double r) {
   return pair == KernelPair::kCubic ? CubicSpline<double>(h).w(r) : Poly6<double>(h).w(r);
 }
 
-/// Share of a sphere of radius r, its centre at a distance from that of a ball, that lies in the
-/// ball.
+/// Fraction of the surface of a sphere of radius r inside a ball whose centre is at `distance`.
 double shareInside(double r, double distance, double ball) {
   const double cosine = (distance * distance + r * r - ball * ball) / (2 * distance * r);
   return 0.5 * (1 - std::clamp(cosine, -1.0, 1.0));
@@ -44,7 +43,7 @@ BoundaryDensity<Real>::BoundaryDensity(const Scene& scene, const Colliders<Real>
   }
 }
 
-/// Sum over the lattice that goes on behind `walls` walls at right angles, in their common region.
+/// Sum over the lattice behind `walls` walls at right angles, in the region behind all of them.
 template <class Real>
 double BoundaryDensity<Real>::ghosts(const std::array<double, 3>& distances, int walls) const {
   const int reach = static_cast<int>(h_ / spacing_) + 1;
@@ -130,7 +129,7 @@ std::vector<Real> BoundaryDensity<Real>::corner() const {
   return values;
 }
 
-/// Adds what three walls share, linear between the nodes of the table.
+/// Adds the overlap of three walls, interpolated linearly in the table.
 template <class Real>
 void BoundaryDensity<Real>::addCorner(const std::array<NearSurface<Real>, 3>& walls,
                                       WallSample<Real>& sample) const {
@@ -159,7 +158,7 @@ void BoundaryDensity<Real>::addCorner(const std::array<NearSurface<Real>, 3>& wa
   }
 }
 
-/// What lies behind all surfaces, less what two share, plus what three share.
+/// Half spaces of all surfaces, minus the overlaps of two, plus the overlap of three.
 template <class Real>
 WallSample<Real> BoundaryDensity<Real>::sumOf(const NearSurfaces<Real>& near,
                                               const DistanceTable<Real>& table) const {
@@ -185,9 +184,9 @@ WallSample<Real> BoundaryDensity<Real>::sumOf(const NearSurfaces<Real>& near,
   return sample;
 }
 
-/// The floor, and of the other walls the share of a half space that lies below the rim; both end
-/// where a point over the wall belongs outside. A wall that ended at once would be a step in the
-/// density, which throws whatever crosses it.
+/// The floor, and the part of the other half spaces that lies below the rim. Both fade out where a
+/// point above the wall counts as outside. An abrupt end would be a step in the density, which
+/// ejects particles that cross it.
 /// @param near surfaces near rim.below
 template <class Real>
 WallSample<Real> BoundaryDensity<Real>::nearRim(const Rim<Real>& rim, const Vec3<Real>& local,

@@ -1,11 +1,10 @@
-// Density that walls and colliders add to particles near them, so that water rests against a wall
-// as it rests against water: without it particles stack at walls.
+// Density that colliders add to particles near them. Without it particles stack at walls.
 //
-// A flat surface counts as if the rest lattice went on behind it, its first layer half a spacing
-// deep, so a lattice at rest in a box has exactly the rest density up to the last particle. Where
-// walls of a box meet, what their half spaces share is counted once. Walls end at the rim of an
-// open container: they fade over a support radius on either side of it, as a half space would. A
-// curved surface counts by the volume of the kernel that lies inside a ball of its curvature.
+// A flat surface counts as if the rest lattice continued behind it, with its first layer half a
+// spacing deep, so a lattice at rest in a box has exactly the rest density everywhere. Where walls
+// of a box meet, the overlap of their half spaces is counted once. Walls end at the rim of an open
+// container: they fade over a support radius on either side of it, as a half space would. A curved
+// surface counts by the part of the kernel volume that lies inside a sphere of its curvature.
 #pragma once
 
 #include <array>
@@ -18,7 +17,7 @@
 
 namespace ice_ice_baby {
 
-/// Value and gradient at a particle centre of the density of colliders over rest density.
+/// Density of colliders at a particle centre, relative to rest density, and its gradient.
 template <class Real>
 struct WallSample {
   Real value = 0;                            ///< dimensionless
@@ -33,7 +32,7 @@ class BoundaryDensity {
 
   WallSample<Real> at(const Vec3<Real>& point) const;
 
-  /// Calls visit(i, sample) for every point of first ... last - 1 that a collider may be near.
+  /// Calls visit(i, sample) for every point of first ... last - 1 that may be near a collider.
   template <class Visit>
   void forEachNear(const VectorField<Real>& points, std::size_t first, std::size_t last,
                    const Visit& visit) const {

@@ -11,9 +11,9 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Calls visit(run) for the longest runs of particles that are wanted, and leave_out(i) for each
-/// of the others.
-/// @param wanted (n), null: all
+/// Calls visit(run) for maximal runs of selected particles, and leave_out(i) for each of the
+/// others.
+/// @param wanted (n) 1 for selected particles; null: all
 template <class Visit, class LeaveOut>
 void forEachRun(ParticleRange range, const std::vector<std::uint8_t>* wanted, const Visit& visit,
                 const LeaveOut& leave_out) {
@@ -50,8 +50,8 @@ DensityConstraint<Real>::DensityConstraint(const Scene& scene, const BoundaryDen
   max_correction_ = static_cast<Real>(scene.solver.max_correction_h * h);
 }
 
-/// With the corrections themselves and not with their lambda: it costs no pass over pairs, and as
-/// those of all particles still cancel out, it keeps momentum.
+/// Reuses the corrections rather than lambda: this takes no pass over pairs, and conserves momentum
+/// because the corrections of all particles cancel.
 template <class Real>
 void DensityConstraint<Real>::warmStart(Particles<Real>& particles) {
   resize(particles.size());
@@ -87,7 +87,7 @@ void DensityConstraint<Real>::computeLambda(const Particles<Real>& particles,
   });
 }
 
-/// Adds what walls contribute, in the scale of the sums over neighbours.
+/// Adds the contribution of walls, scaled like the sums over neighbours.
 template <class Real>
 void DensityConstraint<Real>::addWalls(const VectorField<Real>& x, ParticleRange range) {
   for (std::size_t i = range.first; i < range.last; ++i) {
@@ -101,7 +101,7 @@ void DensityConstraint<Real>::addWalls(const VectorField<Real>& x, ParticleRange
   });
 }
 
-/// Turns the sums over neighbours, which lie where the results will, into density and lambda.
+/// Converts the sums over neighbours to density and lambda, in place.
 template <class Real>
 void DensityConstraint<Real>::finishLambda(std::size_t i) {
   const Real own_volume = phases_ ? phases_->relativeVolume()[i] : Real(1);
@@ -113,12 +113,12 @@ void DensityConstraint<Real>::finishLambda(std::size_t i) {
   const Real constraint = relative - 1;  // Eq. 2
   const Real gradients = others + own.squaredNorm() + epsilon_;
   lambda_[i] = gradients > 0 ? -relaxation_ * constraint / gradients : Real(0);  // Eq. 5
-  // Water pushes and never pulls: what may be taken back is the warm start, by the first iteration.
+  // Water pushes and never pulls, except that the first iteration may take back the warm start.
   const Real most = begun_ ? Real(0) : -multiplier_[i];
   if (!resist_tension_) lambda_[i] = std::min(lambda_[i], most);
 }
 
-/// Ice and steam press on nothing by themselves.
+/// Ice and steam have no pressure of their own.
 template <class Real>
 void DensityConstraint<Real>::skipLambda(std::size_t i) {
   density_[i] = phases_->steam(i) ? static_cast<Real>(kSteamDensity) : ice_density_;
@@ -178,7 +178,7 @@ void DensityConstraint<Real>::forgetWarmStart() {
 
 template <class Real>
 void DensityConstraint<Real>::rescaleWarmStart(double ratio) {
-  const Real square = static_cast<Real>(ratio * ratio);  // of a pressure, corrections go with dt^2
+  const Real square = static_cast<Real>(ratio * ratio);  // corrections scale with dt^2
   parallelFor(multiplier_.size(), [&](std::size_t i) {
     multiplier_[i] *= square;
     if (warmStarts()) correction_.set(i, square * correction_.at(i));
@@ -188,7 +188,7 @@ void DensityConstraint<Real>::rescaleWarmStart(double ratio) {
 template <class Real>
 void DensityConstraint<Real>::reorder(const std::vector<Index>& order) {
   if (multiplier_.size() < order.size()) resize(order.size());  // what came starts from nothing
-  std::vector<Real>& scratch = lambda_;                         // computed anew before it is read
+  std::vector<Real>& scratch = lambda_;  // recomputed before it is read again
   permute(multiplier_, order, scratch);
   if (warmStarts()) permute(correction_, order, scratch);
   resize(order.size());

@@ -13,8 +13,8 @@
 
 namespace ice_ice_baby {
 
-/// Volumes stand for masses: with V = m / rho_0, C_i = V sum_j W_ij + walls - 1. In a mixture V is
-/// that of each neighbour; ice and steam have no constraint of their own, and steam no volume.
+/// Uses volumes instead of masses: with V = m / rho_0, C_i = V sum_j W_ij + walls - 1. In a mixture
+/// V is that of each neighbour. Ice and steam have no constraint of their own; steam has no volume.
 template <class Real>
 class DensityConstraint {
  public:
@@ -23,21 +23,21 @@ class DensityConstraint {
   DensityConstraint(const Scene& scene, const BoundaryDensity<Real>* walls,
                     const Phases<Real>* phases = nullptr);
 
-  /// Begins a substep: moves x* by the share `solver.warm_start` of what the latest one corrected,
-  /// so that the iterations only have to find the change.
+  /// Starts a substep: moves x* by the fraction `solver.warm_start` of the latest correction, so
+  /// that the iterations only have to find the change.
   void warmStart(Particles<Real>& particles);
 
   /// lambda_i of every particle (Eq. 5), times the relaxation.
   void computeLambda(const Particles<Real>& particles, const Neighbours<Real>& neighbours);
 
-  /// Delta p_i of every particle (Eq. 6), bounded by the largest correction, and its sum over the
+  /// Delta p_i of every particle (Eq. 6), limited to the largest correction, and its sum over the
   /// iterations of the substep.
   void computeDeltaP(const Particles<Real>& particles, const Neighbours<Real>& neighbours);
 
-  /// The next substep starts from nothing.
+  /// The next substep starts without a warm start.
   void forgetWarmStart();
 
-  /// Fits what the warm start keeps to a substep that is `ratio` times as long.
+  /// Rescales the warm start for a substep that is `ratio` times as long.
   void rescaleWarmStart(double ratio);
 
   /// Puts particle order[k] at place k, as Particles::reorder does.
@@ -49,13 +49,13 @@ class DensityConstraint {
   /// (n) rho_i / rho_0 of the latest computeLambda.
   const std::vector<Real>& density() const { return density_; }
   const std::vector<Real>& lambda() const { return lambda_; }
-  /// Scratch of each compute, free for others in between.
+  /// Scratch memory of each compute, available to others in between.
   PackedXyzw<Real>& rows() { return positions_; }
-  /// (n) sum of lambda over the iterations of the latest substep and what it was started with, m^2:
-  /// -rho_0 / dt^2 of it is the pressure.
+  /// (n) sum of lambda over the warm start and the iterations of the latest substep, m^2. The
+  /// pressure is -rho_0 / dt^2 times it.
   const std::vector<Real>& multiplier() const { return multiplier_; }
 
-  /// Corrections that `solver.max_correction_h` cut short so far.
+  /// Number of corrections limited by `solver.max_correction_h` so far.
   std::uint64_t limited() const { return limited_; }
   std::size_t bytes() const;
 
@@ -78,14 +78,14 @@ class DensityConstraint {
   PairPasses<Real> passes_;
   Real support_;         ///< h, m
   Real ice_density_;     ///< over that of water
-  Real weight_scale_;    ///< V W(0): density of a sum of 1
-  Real gradient_scale_;  ///< V W'(h/2) / (h/2), 1/m^2: gradient of a sum of 1 m
-  Real self_;            ///< density a particle adds to its own
+  Real weight_scale_;    ///< V W(0): density for a sum of 1
+  Real gradient_scale_;  ///< V W'(h/2) / (h/2), 1/m^2: gradient for a sum of 1 m
+  Real self_;            ///< contribution of a particle to its own density
   Real relaxation_;
   Real epsilon_;  ///< 1/m^2
   bool resist_tension_;
   Real warm_start_;
-  bool begun_ = true;    ///< whether an iteration of this substep is done
+  bool begun_ = true;    ///< whether an iteration of this substep has been done
   Real max_correction_;  ///< m; 0: unlimited
   std::atomic<std::uint64_t> limited_{0};
   PackedXyzw<Real> positions_;       ///< (n, 4) x_i* and lambda_i
@@ -94,7 +94,7 @@ class DensityConstraint {
   VectorField<Real> delta_p_;        ///< (n) m; before that the sums of computeLambda
   VectorField<Real> wall_gradient_;  ///< (n) m, in the scale of the sums; empty without walls
   std::vector<Real> multiplier_;     ///< (n) m^2
-  VectorField<Real> correction_;  ///< (n) m, what the substep corrected; empty without warm start
+  VectorField<Real> correction_;     ///< (n) m, total of the substep; empty without warm start
 };
 
 }  // namespace ice_ice_baby

@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ice_ice_baby {
 namespace HWY_NAMESPACE {
 
-/// Pairs of one particle with as many neighbours as a vector has lanes.
+/// One particle with one vector of neighbours.
 template <class D>
 struct Pairs {
   hn::Vec<D> x, y, z;  ///< x_i - x_j, m
@@ -23,7 +23,7 @@ struct Pairs {
   hn::Mask<D> within;  ///< and 0 < q
 };
 
-/// Which lanes of a vector hold neighbours.
+/// Lanes of a vector that hold neighbours.
 template <class D>
 struct Some {
   hn::Mask<D> mask;
@@ -36,7 +36,7 @@ struct All {
   }
 };
 
-/// With the neighbours at j in the lanes that are kept.
+/// Loads the neighbours at j into the active lanes.
 template <class D, class Real, class Kept>
 HWY_INLINE Pairs<D> loadPairs(D d, const Columns<D>& own, Real inverse_h2, const Real* positions,
                               const Index* j, Kept kept) {
@@ -54,15 +54,14 @@ HWY_INLINE Pairs<D> loadPairs(D d, const Columns<D>& own, Real inverse_h2, const
   return pairs;
 }
 
-/// Calls visit(j, kept) for vectors of neighbours at j. Only the last one masks lanes, which the
-/// others need not pay for.
+/// Calls visit(j, kept) for vectors of neighbours at j. Only the last vector masks lanes.
 template <class D, class List, class Visit>
 HWY_INLINE void forEachVector(D d, List list, const Visit& visit) {
   for (; list.size() >= hn::MaxLanes(d); list.first += hn::MaxLanes(d)) visit(list.first, All());
   if (list.size() > 0) visit(list.first, Some<D>{hn::FirstN(d, list.size())});
 }
 
-/// One particle in every lane.
+/// One particle broadcast to every lane.
 template <class D, class Real>
 HWY_INLINE Columns<D> spread(D d, const Real* rows, std::size_t i) {
   const Real* row = rows + 4 * i;
@@ -74,7 +73,7 @@ HWY_INLINE hn::TFromD<D> total(D d, hn::Vec<D> v) {
   return hn::GetLane(hn::SumOfLanes(d, v));
 }
 
-/// W(q) / W(0) of the cubic spline: 1 - 6 q^2 (1 - q), beyond 1/2: 2 (1 - q)^3.
+/// W(q) / W(0) of the cubic spline: 1 - 6 q^2 (1 - q) for q < 1/2, and 2 (1 - q)^3 beyond.
 template <class D>
 HWY_INLINE hn::Vec<D> cubicWeight(D d, hn::Vec<D> q, hn::Vec<D> square) {
   using Real = hn::TFromD<D>;
@@ -92,7 +91,7 @@ HWY_INLINE hn::Vec<D> outerSlope(D d, hn::Vec<D> q) {
   return hn::Div(hn::Mul(hn::Add(u, u), u), q);
 }
 
-/// Kernels in units of h, their scale taken out: see ConstraintSums.
+/// Normalised kernels in units of h; see ConstraintSums.
 struct CubicShape {
   template <class D>
   static HWY_INLINE hn::Vec<D> weight(D d, hn::Vec<D> q, hn::Vec<D> square) {
@@ -118,7 +117,7 @@ struct Poly6SpikyShape {
   }
 };
 
-/// All particles are water: nothing to weigh.
+/// All particles are water, so there are no weights.
 struct Water {
   template <class Vec>
   static HWY_INLINE Vec scaled(Vec weight, Vec) {

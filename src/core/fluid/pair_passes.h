@@ -1,8 +1,8 @@
-// The inner loops over pairs of neighbours, as vectors as wide as the processor has.
+// Vectorised inner loops over pairs of neighbours.
 //
 // A pass sums over the neighbours of a particle, in the order of its list and independently of
-// every other particle, so the result has the same bits on any number of threads. How many lanes a
-// sum is spread over depends on the processor, so different processors may differ in rounding.
+// every other particle, so the result is bit-identical for any number of threads. The number of
+// lanes depends on the processor, so different processors may differ in rounding.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@
 
 namespace ice_ice_baby {
 
-/// Rows of four: three coordinates of a particle and a value, side by side, so that a neighbour
-/// costs one load where four arrays would cost four gathers.
+/// Rows of four values: three coordinates of a particle and a fourth value, contiguous, so that a
+/// neighbour costs one load instead of four gathers.
 template <class Real>
 class PackedXyzw {
  public:
@@ -33,23 +33,22 @@ struct ParticleRange {
   std::size_t first, last;
 };
 
-/// What every pass reads.
+/// Input of every pass.
 template <class Real>
 struct PairInput {
   const Neighbours<Real>& neighbours;
   const Real* positions;  ///< (n, 4) packed, m
-  const Real* values;     ///< (n, 4) packed, of what the pass spreads
+  const Real* values;     ///< (n, 4) packed, the quantity that the pass sums
   Real support;           ///< h, m
-  /// (n) volume over that of water; null where all particles are water.
+  /// (n) volume relative to water; null if all particles are water.
   const Real* relative_volumes = nullptr;
   Real shear = 0;  ///< of a mixture: see mixturePairPasses
 };
 
-/// In the fourth column of the values of a mixture: two of these take no part in each other's
-/// velocity, as the ice that they belong to moves as one.
+/// Fourth value of rigid ice in a mixture. Two such particles exert no viscosity on each other.
 constexpr float kRigidGrip = 1e30f;
 
-/// Sums of Eq. 2 and 4 over the neighbours of each particle, without the scales of the kernels:
+/// Sums of Eq. 2 and 4 over the neighbours of each particle with normalised kernels:
 /// w = W(r) / W(0) and s = (W'(r) / r) / (W'(h/2) / (h/2)).
 template <class Real>
 struct ConstraintSums {
@@ -58,8 +57,8 @@ struct ConstraintSums {
   VectorField<Real>& gradients;  ///< (n) sum s (x_i - x_j)
 };
 
-/// The passes for one kernel pair on this processor. Pairs beyond h add nothing, nor do those at
-/// distance 0, which have no direction, to a gradient.
+/// The passes for one kernel pair on this processor. Pairs beyond h contribute nothing. Pairs at
+/// distance 0, which have no direction, contribute nothing to a gradient.
 template <class Real>
 struct PairPasses {
   void (*sumConstraint)(const PairInput<Real>&, ConstraintSums<Real>, ParticleRange);
@@ -72,13 +71,13 @@ struct PairPasses {
 template <class Real>
 PairPasses<Real> pairPasses(KernelPair kernel);
 
-/// The same where particles differ in volume, as water, ice and steam do:
+/// The same for particles of different volume, such as water, ice and steam:
 /// - sumConstraint counts neighbour j v_j times, the relative volume v in the fourth column of the
 ///   positions;
 /// - sumCorrections sums (lambda_i v_j + lambda_j v_i) s (x_i - x_j), the gradient of that;
-/// - addDifferences weighs a pair with the lesser of both fourth columns of the values, unless both
-///   are kRigidGrip. What that is above `shear` acts along the line between the two only, which
-///   keeps angular momentum.
+/// - addDifferences weights a pair with the smaller of the two fourth columns of the values, unless
+///   both are kRigidGrip. The part above `shear` acts only along the line between the two, which
+///   conserves angular momentum.
 template <class Real>
 PairPasses<Real> mixturePairPasses(KernelPair kernel);
 

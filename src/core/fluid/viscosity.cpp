@@ -28,7 +28,7 @@ void Viscosity<Real>::apply(Particles<Real>& particles, const Neighbours<Real>& 
   } else {
     velocities_.pack(particles.velocity);
   }
-  // In a mixture each particle brings its share itself.
+  // In a mixture each particle has its own coefficient.
   const Real factor = volume_ * (phases_ ? Real(1) : share) * kernel_.w(0);
   const PairInput<Real> pairs{neighbours, scratch.data(), velocities_.data(),
                               kernel_.h,  nullptr,        share};

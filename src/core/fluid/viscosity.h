@@ -1,4 +1,4 @@
-// XSPH viscosity (Schechter & Bridson 2012): a particle takes on some of its neighbours' velocity.
+// XSPH viscosity (Schechter & Bridson 2012): smooths velocities over neighbours.
 #pragma once
 
 #include "fluid/pair_passes.h"
@@ -18,12 +18,12 @@ class Viscosity {
 
   /// v_i += c sum_j V (v_j - v_i) W_ij, with c = 1 - exp(-rate dt), so that the viscosity does not
   /// depend on the number of substeps. Conserves momentum. In a mixture c rises to 1/2 with the ice
-  /// fraction of both, what is beyond that of water along the line between them only, so that slush
-  /// stiffens before it freezes and keeps its angular momentum. Two particles of ice have none, nor
-  /// has steam.
-  /// @param scratch for the positions: any rows whose values nobody needs any more
-  /// @param densest largest density over that at rest: c is at most its inverse, for what all
-  /// neighbours together overshoot grows from substep to substep
+  /// fraction of both particles, so that slush stiffens before it freezes. The part beyond that of
+  /// water acts only along the line between them, which conserves angular momentum. There is none
+  /// between two particles of ice, nor for steam.
+  /// @param scratch memory for the positions; its contents are overwritten
+  /// @param densest largest density relative to rest. c is limited to its inverse, because a
+  /// crowded particle that overshoots the mean velocity of its neighbours diverges
   void apply(Particles<Real>& particles, const Neighbours<Real>& neighbours, double dt_s,
              PackedXyzw<Real>& scratch, double densest = 1.0);
 
@@ -37,8 +37,8 @@ class Viscosity {
   double rate_1_s_;
   const Phases<Real>* phases_;
   PairPasses<Real> passes_;
-  std::vector<Real> grip_;       ///< (n) c of a particle; only in a mixture
-  PackedXyzw<Real> velocities_;  ///< (n, 4) m/s, so that no particle reads what another wrote
+  std::vector<Real> grip_;       ///< (n) c of each particle; only in a mixture
+  PackedXyzw<Real> velocities_;  ///< (n, 4) m/s, a copy, as velocities are updated in place
 };
 
 }  // namespace ice_ice_baby

@@ -1,21 +1,21 @@
-// What the solver of contacts could not do: a body that it left deep inside a collider goes back.
+// Moves bodies back that the contact solver left deep inside a collider.
 #include "ice/ice_contacts.h"
 
 namespace ice_ice_baby {
 
 namespace {
 
-/// Deeper than this, in spacings, a member would soon be on the other side of a wall.
+/// Penetration, in spacings, beyond which a member could pass through a wall.
 constexpr double kDeep_d = 0.4;
 
-/// A body that a collider landed on is pushed so often, until it is in by less than this, in
-/// spacings.
+/// A body on which a collider landed is pushed out at most this often, until its penetration is
+/// below this depth, in spacings.
 constexpr int kMostPushes = 32;
 constexpr double kTouch_d = 0.05;
 
 }  // namespace
 
-/// What began deep may stay as it is, but not go deeper. True of what is not a number.
+/// Initial penetration may persist but must not grow. True for NaN.
 template <class Real>
 bool IceContacts<Real>::deepInside(const IceBodies<Real>& bodies, const Contact& contact) const {
   const Vec3d x = bodies.body(contact.a).next.at(bodies.offset(contact.member_a));
@@ -23,24 +23,24 @@ bool IceContacts<Real>::deepInside(const IceBodies<Real>& bodies, const Contact&
   return !(gap > -kDeep_d * spacing_m_ || gap > contact.before_m - 1e-3 * spacing_m_);
 }
 
-/// Bound on how far any member went since contacts were found; those without a contact were further
-/// than the margin from every face.
+/// Upper bound of the distance that any member moved since contacts were found. Members without a
+/// contact were farther than the margin from every face.
 template <class Real>
 double IceContacts<Real>::movedSinceFound(const IceBody& body, Index b) const {
   return (body.next.centre_m - found_[b].centre_m).norm() +
          (body.next.turn - found_[b].turn).norm() * body.radius_m;
 }
 
-/// Notes that a body has to go back, and which collider carries it there.
+/// Marks a body to be moved back, and the collider that carries it.
 template <class Real>
 void IceContacts<Real>::markOut(Index b, Index collider) {
   out_[b] = 1;
   if (collider == kNone || !faces_.moves(collider)) return;
-  // A container has the last word, as it has for water.
+  // Containers take precedence, as for water.
   if (carrier_[b] == kNone || !faces_.hollow(carrier_[b])) carrier_[b] = collider;
 }
 
-/// Looks at every member of a body that moved further than its contacts tell of.
+/// Checks every member of a body that moved farther than its contacts account for.
 template <class Real>
 void IceContacts<Real>::checkAll(const IceBodies<Real>& bodies, Index b) {
   const IceBody& body = bodies.body(b);
@@ -94,7 +94,7 @@ void IceContacts<Real>::putBack(IceBodies<Real>& bodies, Index b) {
   ++limited_;
 }
 
-/// Of the pushes that the colliders give the members of a body, m.
+/// Largest push of the colliders on the members of a body, m.
 template <class Real>
 Vec3d IceContacts<Real>::longestPush(const IceBodies<Real>& bodies, Index b) const {
   const IceBody& body = bodies.body(b);

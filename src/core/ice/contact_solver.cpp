@@ -1,4 +1,4 @@
-// Projected Gauss-Seidel over the contacts of bodies of ice.
+// Projected Gauss-Seidel over the contacts of ice bodies.
 #include <algorithm>
 #include <cmath>
 
@@ -8,21 +8,21 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Sweeps of one solve at most, half of them there and half back.
+/// Maximum number of sweeps per solve, half of them forwards and half backwards.
 constexpr int kSweeps = 10;
 
-/// The same where bodies would pass each other: what a sweep leaves of so long a way is too much.
+/// The same if bodies would pass through each other, where the error is larger.
 constexpr int kSweptSweeps = 200;
 
-/// A sweep that moves nothing by more than this, in spacings, is the last.
+/// Sweeping stops once no body moves by more than this, in spacings.
 constexpr double kSettled_d = 1e-7;
 
-/// What overlapped when the substep began parts this share of the overlap per substep, and no
-/// faster than that speed, as the way out counts as velocity.
+/// Initial overlap is resolved by this fraction per substep, and no faster than this speed, because
+/// the correction counts as velocity.
 constexpr double kRelease = 0.2;
 constexpr double kRelease_m_s = 0.1;
 
-/// Gap that a contact has to keep: none, or nearly the overlap that it began with.
+/// Gap that a contact must keep: zero, or most of the overlap that it started with.
 double allowedGap(double before_m, double dt_s) {
   if (before_m >= 0) return 0.0;
   return before_m + std::min(-kRelease * before_m, kRelease_m_s * dt_s);
@@ -42,7 +42,7 @@ void IceContacts<Real>::makeRows(const IceBodies<Real>& bodies, const Contact& c
   rows.mass_b = wall || b.held() ? 0.0 : 1.0 / b.mass_kg;
   const Vec3d at_a = a.next.at(bodies.offset(contact.member_a));
   const Vec3d at_b = wall ? contact.point : b.next.at(bodies.offset(contact.member_b));
-  // Both bodies get the impulse at one point, or angular momentum would be made of nothing.
+  // Both bodies receive the impulse at the same point, so angular momentum is conserved.
   const Vec3d touch =
       wall ? Vec3d(at_a - spacing_m_ / 2 * contact.normal) : Vec3d((at_a + at_b) / 2);
   const Vec3d arm_a = contact.swept ? contact.arm_a : Vec3d(touch - a.next.centre_m);
@@ -51,7 +51,7 @@ void IceContacts<Real>::makeRows(const IceBodies<Real>& bodies, const Contact& c
                                       : Vec3d(touch - b.next.centre_m);
   const double gap = contact.normal.dot(at_a - at_b) - (wall ? 0.0 : contact_m_);
 
-  // How far the two surfaces slid over each other since the substep began.
+  // How far the two surfaces have slid since the start of the substep.
   const auto began = [&](Index k, const IceBody& body, const Vec3d& arm) -> Vec3d {
     return body.pose.centre_m + moves_[k].back * arm;
   };
@@ -96,8 +96,8 @@ double IceContacts<Real>::violation(const Rows& rows, const Row& row) const {
   return value - row.axis.dot(b.by) - row.lever_b.dot(b.turn);
 }
 
-/// One contact: its normal first, then its friction within the cone that the normal leaves.
-/// @return how far it moved something, m
+/// Solves one contact: the normal first, then friction within its cone.
+/// @return the largest displacement that it caused, m
 template <class Real>
 double IceContacts<Real>::relax(const Rows& rows, Contact& contact) {
   const Row& normal = rows.normal;
@@ -127,9 +127,10 @@ double IceContacts<Real>::relax(const Rows& rows, Contact& contact) {
   return std::max(moved, std::abs(second - before_second) * rows.second.inverse_mass);
 }
 
-/// A centre ends at c + dt v, so an impulse acts on its orbit where the substep began, but on its
-/// spin where the contact is now. What two bodies moved against each other meanwhile is a lever
-/// that makes angular momentum; each takes half of it back.
+/// A centre ends at c + dt v, so an impulse changes the orbital angular momentum at the position at
+/// the start of the substep, but the rotation at the present contact point. The relative motion of
+/// two bodies in between is a lever arm that would create angular momentum; each body compensates
+/// half of it.
 template <class Real>
 void IceContacts<Real>::levelMomenta(IceBodies<Real>& bodies) {
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
@@ -146,7 +147,7 @@ void IceContacts<Real>::levelMomenta(IceBodies<Real>& bodies) {
   }
 }
 
-/// Forgets the moves of the bodies, and remembers how those with contacts turned so far.
+/// Resets the moves of the bodies and stores the present rotation of those with contacts.
 template <class Real>
 void IceContacts<Real>::beginMoves(const IceBodies<Real>& bodies) {
   moves_.assign(bodies.count(), Move());
@@ -162,7 +163,7 @@ void IceContacts<Real>::beginMoves(const IceBodies<Real>& bodies) {
   }
 }
 
-/// Gives the bodies at once what the latest substep ended with.
+/// Applies the multipliers of the latest substep as a warm start.
 template <class Real>
 void IceContacts<Real>::applyWarm(const Rows& rows, Contact& contact) {
   apply(rows, rows.normal, contact.normal_multiplier);
@@ -173,7 +174,7 @@ void IceContacts<Real>::applyWarm(const Rows& rows, Contact& contact) {
   apply(rows, rows.second, second);
 }
 
-/// Notes which bodies something that cannot give way carries, and which press on each other.
+/// Marks bodies that rest on something immovable, and groups bodies in contact.
 template <class Real>
 void IceContacts<Real>::noteLoads(IceBodies<Real>& bodies) {
   for (Index b = 0; b < bodies.count(); ++b) {

@@ -1,4 +1,4 @@
-// The few contacts that a body needs where it lies flat on something.
+// Reduces the contacts of a body that lies flat on a surface to the few that it needs.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -9,25 +9,24 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// A face with no more contacts than this keeps them all.
+/// A face with at most this many contacts keeps them all.
 constexpr std::size_t kFew = 12;
 
-/// Normals nearer than this are those of one face.
+/// Normals closer than this belong to the same face.
 constexpr double kParallel = 1 - 1e-6;
 
-/// So many faces of a body are looked at; a body on a round collider has a normal for each contact.
+/// Maximum number of faces per body. On a round collider every contact has its own normal.
 constexpr int kMostFaces = 16;
 
-/// The member that would come down first if the body tilted by so much in one of the directions;
-/// flat: that reaches furthest.
+/// Tilts of the body at which the first member to touch is kept; with no tilt, the farthest member.
 constexpr std::array<double, 3> kTilts{0.003, 0.03, 1e6};
 constexpr int kDirections = 8;
 
 }  // namespace
 
-/// A body on a flat face is held by the corners of what touches it, so one that rests on hundreds
-/// of members needs a handful of contacts. What is deepest, what would come down first at a tilt
-/// and what bore a load in the latest substep stay; the others go.
+/// A body on a flat face is supported by the corners of its contact area, so a body that rests on
+/// hundreds of members needs only a few contacts. Keeps the deepest contact, those that would touch
+/// first at a tilt, and those that carried a load in the latest substep.
 template <class Real>
 void IceContacts<Real>::keepSupports(const IceBodies<Real>& bodies,
                                      std::vector<Contact>& contacts) {
@@ -45,8 +44,8 @@ void IceContacts<Real>::keepSupports(const IceBodies<Real>& bodies,
   contacts.resize(kept);
 }
 
-/// Decides on the contacts of one face among contacts first ... last - 1 of one body.
-/// @return whether there was one left
+/// Selects the contacts of one face among contacts first ... last - 1 of one body.
+/// @return false if no undecided contact was left
 template <class Real>
 bool IceContacts<Real>::keepFace(const IceBodies<Real>& bodies,
                                  const std::vector<Contact>& contacts, std::size_t first,
@@ -90,7 +89,7 @@ bool IceContacts<Real>::keepFace(const IceBodies<Real>& bodies,
   keepFurthest({0, 0, -1});
   for (const double tilt : kTilts) {
     for (int k = 0; k < kDirections; ++k) {
-      // Off the axes of lattices, along whose edges many would be the furthest.
+      // Directions off the lattice axes, along which many members would tie.
       const double angle = 2 * M_PI * (k + 0.3) / kDirections;
       keepFurthest({tilt * std::cos(angle), tilt * std::sin(angle), -1});
     }

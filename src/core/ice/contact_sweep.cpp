@@ -1,5 +1,5 @@
-// Bodies of ice so fast that they would pass each other within a substep, which the neighbour lists
-// of its end do not tell: members that meet on the way are contacts.
+// Swept contacts between ice bodies so fast that they would pass through each other within a
+// substep. Neighbour lists at the end of the substep do not contain them.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,20 +10,20 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Bodies that move less against each other in a substep, in spacings, are in the neighbour lists.
+/// Relative motion per substep, in spacings, up to which the neighbour lists suffice.
 constexpr double kFast_d = 0.5;
 
-/// Members that touch when the bodies have moved so much further, in spacings, hit as well.
+/// Members that touch within this further motion, in spacings, count as hit too.
 constexpr double kTogether_d = 0.1;
 
-/// Bound on how far any member goes in the substep, m.
+/// Upper bound of the distance that any member moves in the substep, m.
 double travel(const IceBody& body) {
   return (body.next.centre_m - body.pose.centre_m).norm() +
          (body.next.turn - body.pose.turn).norm() * body.radius_m;
 }
 
-/// Share of a straight path after which it is within `reach_m` of the origin; 2 when it never is,
-/// or when it leaves from there.
+/// Fraction of a straight path at which it comes within `reach_m` of the origin; 2 if it never does
+/// or starts inside.
 double meets(const Vec3d& from, const Vec3d& to, double reach_m) {
   const Vec3d way = to - from;
   const double b = from.dot(way);
@@ -34,14 +34,14 @@ double meets(const Vec3d& from, const Vec3d& to, double reach_m) {
   return root < 0 ? 2.0 : (-b - std::sqrt(root)) / a;
 }
 
-/// Centre of a body on its way.
+/// Centre of a body during the substep.
 Vec3d centreAt(const IceBody& body, double share) {
   return body.pose.centre_m + share * (body.next.centre_m - body.pose.centre_m);
 }
 
 }  // namespace
 
-/// Pairs whose swept balls overlap along x, at least one of the two being fast.
+/// Pairs whose swept spheres overlap along x, at least one of the two being fast.
 template <class Real>
 void IceContacts<Real>::findSwept(IceBodies<Real>& bodies) {
   swept_.clear();
@@ -69,7 +69,7 @@ void IceContacts<Real>::findSwept(IceBodies<Real>& bodies) {
   }
 }
 
-/// Adds the members of two bodies that meet first.
+/// Adds the pair of members of two bodies that meets first.
 template <class Real>
 void IceContacts<Real>::sweepPair(IceBodies<Real>& bodies, Index ka, Index kb) {
   const IceBody& a = bodies.body(ka);
@@ -127,7 +127,7 @@ void IceContacts<Real>::sweepPair(IceBodies<Real>& bodies, Index ka, Index kb) {
   if (b.asleep) bodies.wakeInFlight(kb);
 }
 
-/// Puts what was met on the way among the contacts, in place of what the end of it shows.
+/// Adds the swept contacts to the list, replacing the ones found at the end of the path.
 template <class Real>
 void IceContacts<Real>::addSwept() {
   if (swept_.empty()) return;
@@ -144,9 +144,10 @@ void IceContacts<Real>::addSwept() {
   std::inplace_merge(pairs_.begin(), pairs_.begin() + known, pairs_.end(), before);
 }
 
-/// Bodies that turn far in a substep and lie in each other ask for moves that no collision gives.
-/// Takes so much of the impulses in an island with something swept that they make no energy; as
-/// each acts on two bodies at one point, both momenta stay. What moves on its own does work.
+/// Overlapping bodies that rotate far in a substep can require unphysical displacements. Scales the
+/// impulses of an island with a swept contact so that its kinetic energy does not rise. Each
+/// impulse acts on two bodies at one point, so both momenta are conserved. Moving colliders may do
+/// work.
 template <class Real>
 void IceContacts<Real>::boundEnergy(const IceBodies<Real>& bodies) {
   const auto islandOf = [&](const Contact& contact) {
@@ -165,7 +166,7 @@ void IceContacts<Real>::boundEnergy(const IceBodies<Real>& bodies) {
     if (moves(contactAt(k))) bound[islandOf(contactAt(k))] = 0;
   }
 
-  // The energy is quadratic in the share s of the impulses: s linear + s^2 square / 2.
+  // The energy is quadratic in the scale s of the impulses: s linear + s^2 square / 2.
   std::vector<double> linear(bodies.count(), 0.0), square(bodies.count(), 0.0);
   for (Index b = 0; b < bodies.count(); ++b) {
     const IceBody& body = bodies.body(b);

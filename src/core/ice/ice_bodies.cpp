@@ -10,7 +10,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Largest turn of a substep: beyond it straight paths of members say nothing of where they went.
+/// Largest rotation per substep, beyond which straight paths of members are meaningless.
 constexpr double kMaxTurn_rad = 1.0;
 
 /// How long a body must have been slow before it sleeps.
@@ -54,8 +54,8 @@ void IceBodies<Real>::forEachChunk(const Visit& visit) const {
       1);
 }
 
-/// A body above the speed limit, or one that would turn too far, is slowed; one whose momenta are
-/// not finite rests.
+/// Slows a body above the speed limit or one that would rotate too far. A body with momenta that
+/// are not finite is stopped.
 template <class Real>
 void IceBodies<Real>::limit(IceBody& body) {
   const Vec3d spin = body.spinAt(body.pose.turn);
@@ -70,13 +70,13 @@ void IceBodies<Real>::limit(IceBody& body) {
   }
   if (turn > kMaxTurn_rad) {
     body.angular_momentum *= kMaxTurn_rad / turn;
-    // The spin of a single particle moves nothing, so nobody needs to know of it.
+    // A single particle's rotation has no visible effect, so it is not counted.
     limited = limited || body.count() > 1;
   }
   if (limited) limited_.fetch_add(1, std::memory_order_relaxed);
 }
 
-/// Where the collider that carries a body has it.
+/// Pose given by the collider that carries a body.
 template <class Real>
 Placement IceBodies<Real>::held(const IceBody& body, const Colliders<Real>& colliders) const {
   const Placement carrier = placementOf(colliders[body.anchor].motion.to.template cast<double>());
@@ -129,7 +129,7 @@ void IceBodies<Real>::writePredicted(VectorField<Real>& predicted, bool all) con
   });
 }
 
-/// Sums of difference(member, arm), m or m/s, over every chunk, in the order of the members.
+/// Sums difference(member, arm), in m or m/s, over every chunk, in the order of the members.
 template <class Real>
 template <class Difference>
 void IceBodies<Real>::sumMoments(const Difference& difference) {
@@ -150,7 +150,7 @@ void IceBodies<Real>::sumMoments(const Difference& difference) {
 template <class Real>
 void IceBodies<Real>::conform(VectorField<Real>& predicted) {
   sumMoments([&](const IceBody& body, Index m, const Vec3d& arm) {
-    // Against the rounded pose, so that what nobody moved adds nothing.
+    // Relative to the rounded pose, so that unmoved members add nothing.
     const Vec3<Real> rigid = (body.next.centre_m + arm).template cast<Real>();
     return (predicted.at(place_[m]) - rigid).template cast<double>().eval();
   });
@@ -247,7 +247,7 @@ void IceBodies<Real>::anchor(Index b, Index collider, const Colliders<Real>& col
   body.asleep = false;
 }
 
-/// Whether anything of a body touches water.
+/// Whether any member of a body touches water.
 template <class Real>
 bool IceBodies<Real>::isWet(const IceBody& body, const std::vector<std::uint8_t>& wet) const {
   if (wet.empty()) return false;
@@ -256,7 +256,7 @@ bool IceBodies<Real>::isWet(const IceBody& body, const std::vector<std::uint8_t>
                      [&](Index i) { return wet[i] != 0; });
 }
 
-/// Bodies that press on each other sleep together: a sleeper bears no weight on what lies below it.
+/// Bodies in contact sleep together, because a sleeping body exerts no weight on those below.
 template <class Real>
 void IceBodies<Real>::updateSleep(const std::vector<std::uint8_t>& wet, double time_s) {
   islands_.assign(bodies_.size(), {kStill_s, false});

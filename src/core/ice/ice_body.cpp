@@ -7,7 +7,7 @@ namespace ice_ice_baby {
 Eigen::Quaterniond rotationBy(const Vec3d& angle_rad) {
   const double angle = angle_rad.norm();
   const double half = angle / 2;
-  // sin(a) / a to the last bit where a division would lose all of them.
+  // Series of sin(a) / a, as the division loses all precision here.
   const double scale = angle > 1e-6 ? std::sin(half) / angle : 0.5 - angle * angle / 48;
   const Vec3d axis = scale * angle_rad;
   return {std::cos(half), axis.x(), axis.y(), axis.z()};
@@ -25,7 +25,7 @@ void IceBody::push(const Vec3d& by_m, const Vec3d& turn_rad, double dt_s) {
 }
 
 Placement IceBody::flight(double dt_s) const {
-  // Each pass of the implicit rule shrinks its error by the turn of the substep.
+  // Each pass of the implicit rule reduces its error by a factor of the rotation angle.
   constexpr int kPasses = 3;
   Vec3d mean_spin = spinAt(pose.turn);
   for (int pass = 0; pass < kPasses; ++pass) {

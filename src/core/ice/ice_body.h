@@ -1,4 +1,4 @@
-// One rigid body of ice: pose, momenta and inertia, in double however the particles are kept.
+// One rigid body of ice: pose, momenta and inertia, in double precision for float and double runs.
 #pragma once
 
 #include "ice_ice_baby/types.h"
@@ -26,46 +26,46 @@ struct Placement {
   }
 };
 
-/// The angular momentum is kept rather than the spin, as free rotation conserves it to the last bit
-/// while the spin of an uneven body wanders.
+/// Stores angular momentum rather than angular velocity, because free rotation conserves it exactly
+/// while the angular velocity of an asymmetric body changes.
 struct IceBody {
-  Placement pose;                          ///< where the substep begins
-  Placement next;                          ///< where it ends, as far as it is worked out
+  Placement pose;                          ///< at the start of the substep
+  Placement next;                          ///< at the end of the substep, as computed so far
   Vec3d velocity_m_s = Vec3d::Zero();      ///< of the centre of mass
   Vec3d angular_momentum = Vec3d::Zero();  ///< kg m^2/s about the centre of mass, world axes
   double mass_kg = 0.0;
   Mat3<double> inertia = Mat3<double>::Zero();       ///< kg m^2, body axes
   Mat3<double> mobility = Mat3<double>::Zero();      ///< its inverse
   Mat3<double> mobility_now = Mat3<double>::Zero();  ///< in world axes at `next`
-  double radius_m = 0.0;                             ///< from the centre to the furthest member
-  Index first = 0;  ///< members first ... last - 1, those at the surface first
+  double radius_m = 0.0;  ///< distance from the centre to the farthest member
+  Index first = 0;        ///< members first ... last - 1, those at the surface first
   Index last = 0;
-  Index surface_last = 0;  ///< end of the members that anything can touch
+  Index surface_last = 0;  ///< end of the members at the surface
   Index anchor = kNone;    ///< collider that carries it
   Placement hold;          ///< in the frame of that collider
-  double speed_m_s = 0.0;  ///< largest that any member could have after the latest substep
-  double still_s = 0.0;    ///< for how long that was below the sleep speed
+  double speed_m_s = 0.0;  ///< upper bound for any member after the latest substep
+  double still_s = 0.0;    ///< how long `speed_m_s` has been below the sleep speed
   bool asleep = false;
-  bool supported = false;  ///< whether what cannot give way carried it in the latest substep
-  Index island = kNone;  ///< lowest of the awake bodies that press on each other; kNone: of itself
+  bool supported = false;  ///< whether something immovable carried it in the latest substep
+  Index island = kNone;    ///< lowest body of its group in contact; kNone: alone
 
   std::size_t count() const { return last - first; }
-  /// Whether it gives way to nothing: it sleeps or a collider carries it.
+  /// Whether it is immovable: asleep, or carried by a collider.
   bool held() const { return asleep || anchor != kNone; }
 
-  /// Angular velocity that the angular momentum makes at a rotation, rad/s.
+  /// Angular velocity for the angular momentum at a given rotation, rad/s.
   Vec3d spinAt(const Mat3<double>& turn) const {
     return turn * (mobility * (turn.transpose() * angular_momentum));
   }
   Vec3d spin() const { return spinAt(next.turn); }
-  /// Largest speed that any member can have, m/s.
+  /// Upper bound of the speed of any member, m/s.
   double fastest_m_s() const { return velocity_m_s.norm() + spin().norm() * radius_m; }
 
   void moveTo(const Placement& placement);
   /// Moves `next` by a displacement and a small turn about the centre and counts the impulse that
   /// they stand for into the momenta, as water does: v += (x* - flight) / dt.
   void push(const Vec3d& by_m, const Vec3d& turn_rad, double dt_s);
-  /// Where free flight of `dt_s` ends: midpoint rule on the spin, angular momentum held.
+  /// Pose after free flight of `dt_s`: midpoint rule with constant angular momentum.
   Placement flight(double dt_s) const;
   void stop();
 

@@ -1,4 +1,4 @@
-// Which members of bodies of ice touch what.
+// Finds the contacts of the members of ice bodies.
 #include "ice/ice_contacts.h"
 
 #include <algorithm>
@@ -8,22 +8,21 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Faces so near a member, in spacings, are contacts before they are touched, so that what a turn
-/// brings down is held within the same substep.
+/// Faces closer than this to a member, in spacings, count as contacts before they touch, so that a
+/// rotation within the substep is caught.
 constexpr double kMargin_d = 0.1;
 
-/// No two members come nearer to each other than by this before the lists are built again: the skin
-/// of the lists, in spacings.
+/// Relative motion, in spacings, before the neighbour lists are rebuilt: their skin.
 constexpr double kApproach_d = 0.3;
 
-/// A member that lies this much less bare than the other has the flatter surroundings of the two.
+/// A member that is less exposed than the other by this much has the flatter surroundings.
 constexpr double kFlatter = 0.8;
 
-/// So far beside a member, in contact distances, its face still holds another: more than the half
-/// diagonal of a square of four, so that faces have no holes.
+/// How far a member's face extends beside it, in contact distances: more than half the diagonal of
+/// a square of four members, so that faces have no holes.
 constexpr double kBeside = 0.75;
 
-/// Two members that were this near, in spacings, are as good as at one point.
+/// Members closer than this, in spacings, count as coincident.
 constexpr double kCoincident_d = 1e-6;
 
 }  // namespace
@@ -67,7 +66,7 @@ void IceContacts<Real>::find(IceBodies<Real>& bodies, const VectorField<Real>& p
   warm_ = true;
 }
 
-/// Gives contacts of the latest substep the numbers that their members have now.
+/// Renumbers the contacts of the latest substep after members were renumbered.
 template <class Real>
 void IceContacts<Real>::followMembers(const IceBodies<Real>& bodies) {
   if (generation_ == bodies.generation()) return;
@@ -161,14 +160,15 @@ void IceContacts<Real>::findCandidates(const IceBodies<Real>& bodies,
         if ((predicted.at(j) - at).squaredNorm() > reach2 || !bodies.atSurface(other)) continue;
         candidates_.push_back({m, other});
       }
-      // In the order of the members, not of their places.
+      // In the order of the members, not of the particles.
       std::sort(candidates_.begin() + std::ptrdiff_t(first), candidates_.end(),
                 [](const Candidate& s, const Candidate& t) { return s.b < t.b; });
     }
   }
 }
 
-/// Before any contact is made, as one that wakes needs those with all others, sleepers too.
+/// Runs before contacts are found, because a body that wakes needs its contacts with all others,
+/// including sleeping ones.
 template <class Real>
 void IceContacts<Real>::wakeByBodies(IceBodies<Real>& bodies) {
   const double reach = contact_m_ + margin_m_;
@@ -176,7 +176,7 @@ void IceContacts<Real>::wakeByBodies(IceBodies<Real>& bodies) {
     Index sleeper = bodies.bodyOfMember(candidate.a), other = bodies.bodyOfMember(candidate.b);
     if (bodies.body(sleeper).asleep == bodies.body(other).asleep) continue;
     if (!bodies.body(sleeper).asleep) std::swap(sleeper, other);
-    // The speed before this substep: what rests on a sleeper begins each with a little fall.
+    // Uses the speed before this substep, as a body at rest starts each substep falling slightly.
     if (bodies.body(other).speed_m_s <= bodies.sleepSpeed_m_s()) continue;
     const Vec3d apart =
         bodies.body(bodies.bodyOfMember(candidate.a)).next.at(bodies.offset(candidate.a)) -
@@ -185,9 +185,9 @@ void IceContacts<Real>::wakeByBodies(IceBodies<Real>& bodies) {
   }
 }
 
-/// Direction in which member b pushes member a, or zero where they do not touch. Where one of them
-/// lies in a face it is the normal of that face: along the line between the members, faces would be
-/// beds of balls that roll into each other's hollows and lock like gears.
+/// Direction in which member b pushes member a, or zero if they do not touch. If one of them lies
+/// in a face, it is the normal of that face: with the line between the members as normal, faces
+/// would be bumpy and interlock.
 /// @param bare_a, bare_b IceBodies::outward in world axes
 /// @param now, before from b to a, m
 template <class Real>
@@ -213,7 +213,7 @@ Vec3d IceContacts<Real>::normalBetween(const Vec3d& bare_a, const Vec3d& bare_b,
   }
   const double reach = contact_m_ + margin_m_;
   if (now.squaredNorm() >= reach * reach) return Vec3d::Zero();
-  // Members that passed through each other part the way they came.
+  // Members that passed through each other separate in the direction they came from.
   const Vec3d line = now.dot(before) > 0 ? now : before;
   const double length = line.norm();
   return length < kCoincident_d * spacing_m_ ? Vec3d::UnitZ() : Vec3d(line / length);
@@ -237,7 +237,7 @@ void IceContacts<Real>::addPair(const IceBodies<Real>& bodies, const Candidate& 
                     normal.dot(now) - contact_m_, normal.dot(before) - contact_m_, friction_});
 }
 
-/// Takes over the multipliers of contacts that were there in the latest substep. Both lists rise.
+/// Copies the multipliers of contacts that existed in the latest substep. Both lists are ascending.
 template <class Real>
 void IceContacts<Real>::startWarm(std::vector<Contact>& contacts,
                                   const std::vector<Contact>& before, double ratio) {
@@ -251,7 +251,7 @@ void IceContacts<Real>::startWarm(std::vector<Contact>& contacts,
   }
 }
 
-/// Keeps the loads of what sleeps, so that it can wake without being set down anew.
+/// Stores the loads of sleeping bodies, so that they wake in equilibrium.
 template <class Real>
 void IceContacts<Real>::layDown(const IceBodies<Real>& bodies, const std::vector<Contact>& before,
                                 std::vector<Contact>& dormant) {

@@ -1,4 +1,4 @@
-// Contacts of bodies of ice with colliders and with each other: non-penetration and Coulomb
+// Contacts of ice bodies with colliders and with each other: non-penetration and Coulomb
 // friction by projected Gauss-Seidel on positions (XPBD without compliance, Mueller et al. 2020,
 // "Detailed rigid body simulation with extended position based dynamics"), no restitution.
 #pragma once
@@ -16,21 +16,22 @@ class IceContacts {
  public:
   explicit IceContacts(const Scene& scene);
 
-  /// Finds the contacts of a substep, after predict and, for bodies among each other, after the
-  /// neighbour search; wakes sleeping bodies that something moving touches.
+  /// Finds the contacts of a substep. Call it after predict and after the neighbour search. Wakes
+  /// sleeping bodies that a moving body or collider touches.
   void find(IceBodies<Real>& bodies, const VectorField<Real>& predicted,
             const Neighbours<Real>& neighbours, const Colliders<Real>& colliders);
 
-  /// Moves bodies until no contact is violated and rubs what slides; the impulses go into their
-  /// momenta. Multipliers start from those of the latest substep. Writes the predicted positions of
-  /// all members that are not held.
+  /// Moves bodies until no contact is violated, with friction where they slide, and adds the
+  /// impulses to their momenta. Multipliers start from those of the latest substep. Writes the
+  /// predicted positions of all members whose bodies are neither asleep nor anchored.
   void solve(IceBodies<Real>& bodies, VectorField<Real>& predicted);
 
-  /// Ends the substep: a body that is still deep inside a collider, or not finite, goes back to
-  /// where it was and loses its momenta. Writes its members.
+  /// Ends the substep: a body that is still deep inside a collider, or not finite, returns to its
+  /// pose at the start of the substep and loses its momenta. Writes its members.
   void contain(IceBodies<Real>& bodies, VectorField<Real>& predicted);
 
-  /// Between two substeps puts loose bodies that lie in a collider beside it, without momentum.
+  /// Moves free bodies out of colliders that they overlap, without changing their momenta. Call it
+  /// between two substeps.
   void expel(IceBodies<Real>& bodies, const Colliders<Real>& colliders);
 
   /// Takes over the numbers that members have since bodies changed, as `find` does by itself. To be
@@ -39,7 +40,7 @@ class IceContacts {
 
   /// Contacts of the present substep.
   std::size_t count() const { return walls_.size() + pairs_.size(); }
-  /// Bodies that `contain` put back so far.
+  /// How many bodies `contain` has moved back so far.
   std::uint64_t limited() const { return limited_; }
   std::size_t bytes() const;
 
@@ -52,31 +53,31 @@ class IceContacts {
   void restore(const IceBodies<Real>& bodies) const;
 
  private:
-  /// One member at a face of a collider, or two members of different bodies.
+  /// A member at a face of a collider, or two members of different bodies.
   struct Contact {
-    std::uint64_t key;  ///< rises along each list; the same contact has the same in every substep
+    std::uint64_t key;  ///< ascending in each list; identifies a contact across substeps
     Index a, b;         ///< bodies; b: kNone for a collider
     Index member_a, member_b;
     Index collider;
     Vec3d normal;     ///< towards a
     Vec3d point;      ///< of the face, for a collider
-    double gap_m;     ///< when it was found
-    double before_m;  ///< with which the substep began
+    double gap_m;     ///< at detection
+    double before_m;  ///< at the start of the substep
     double friction;
     double normal_multiplier = 0;               ///< kg m: force times dt^2
     Vec3d friction_multiplier = Vec3d::Zero();  ///< kg m, along the face
-    bool swept = false;  ///< met on the way and passed since, where the arms tell
-    double met = 1.0;    ///< share of the substep after which it touches
+    bool swept = false;  ///< whether the members met on their way; uses arm_a, arm_b
+    double met = 1.0;    ///< fraction of the substep at which they touch
     Vec3d arm_a = Vec3d::Zero(), arm_b = Vec3d::Zero();  ///< from the centres, m, if swept
 
-    /// What the next substep takes over.
+    /// State that the next substep starts from.
     template <class Self, class Archive>
     static void exchange(Self& self, Archive& archive) {
       archive(self.key, self.a, self.b, self.member_a, self.member_b, self.normal_multiplier,
               self.friction_multiplier, self.swept);
     }
   };
-  /// One direction of a contact, linear in the moves of its bodies.
+  /// A constraint along one axis of a contact, linear in the moves of its bodies.
   struct Row {
     Vec3d axis;
     Vec3d lever_a, lever_b;  ///< arm x axis
@@ -86,18 +87,18 @@ class IceContacts {
   };
   struct Rows {
     Row normal, first, second;
-    double mass_a, mass_b;  ///< inverse, 1/kg; 0 for what gives way to nothing
+    double mass_a, mass_b;  ///< inverse mass, 1/kg; 0 if immovable
     Index a, b;             ///< bodies
-    Vec3d given;            ///< multipliers that the momenta have already
+    Vec3d given;            ///< multipliers already added to the momenta
   };
-  /// Displacement and turn of a body since the rows were made.
+  /// Displacement and rotation of a body since the rows were set up.
   struct Move {
     Vec3d by = Vec3d::Zero();
     Vec3d turn = Vec3d::Zero();
     Mat3<double> back = Mat3<double>::Identity();  ///< rotation from `next` to `pose`
     bool touched = false;
   };
-  /// Members of different bodies that may meet while the neighbour lists last.
+  /// Members of different bodies that may touch while the neighbour lists are valid.
   struct Candidate {
     Index a, b;  ///< members, a < b
 
@@ -145,25 +146,25 @@ class IceContacts {
   void putBack(IceBodies<Real>& bodies, Index b);
 
   double spacing_m_;
-  double contact_m_;  ///< distance that members of two bodies keep
+  double contact_m_;  ///< contact distance between members of two bodies
   double friction_;   ///< of ice on ice
-  double margin_m_;   ///< what is so near is a contact before it is touched
+  double margin_m_;   ///< pairs closer than this count as contacts before they touch
   ColliderFaces faces_;
   std::vector<Contact> walls_, pairs_;
   std::vector<Contact> old_walls_, old_pairs_;
-  std::vector<Contact> swept_;  ///< of bodies that would pass each other in this substep
-  std::vector<Contact> dormant_walls_, dormant_pairs_;  ///< of what sleeps
+  std::vector<Contact> swept_;  ///< bodies that would pass through each other in this substep
+  std::vector<Contact> dormant_walls_, dormant_pairs_;  ///< contacts of sleeping bodies
   std::vector<Rows> rows_;
   std::vector<Move> moves_;       ///< (bodies)
   std::vector<Placement> found_;  ///< (bodies) `next` when contacts were found
   std::vector<Candidate> candidates_;
   std::vector<Index> near_;  ///< colliders near a body
   enum Stay : char { kOpen, kStays, kDropped };
-  std::vector<char> stays_;        ///< of the contacts of one body, a Stay
+  std::vector<char> stays_;        ///< a Stay for each contact of one body
   std::vector<std::size_t> face_;  ///< contacts of one face
-  std::vector<Vec3d> plane_;       ///< along the face, across it, and the gap, m
-  std::vector<char> out_;          ///< (bodies) whether contain has to put it back
-  std::vector<Index> carrier_;     ///< (bodies) collider that then carries it
+  std::vector<Vec3d> plane_;       ///< coordinates along and across the face, and the gap, m
+  std::vector<char> out_;          ///< (bodies) whether contain must move it back
+  std::vector<Index> carrier_;     ///< (bodies) collider that carries it in that case
   std::size_t generation_ = 0;
   std::size_t builds_ = 0;
   double dt_s_ = 0;

@@ -1,4 +1,4 @@
-// Which particles a body of ice is made of, and what it takes over when that changes.
+// Decides which particles form an ice body, and what the body inherits when that changes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,10 +10,10 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// A sum over so many members is one task.
+/// Number of members summed by one task.
 constexpr Index kChunk = 1024;
 
-/// To the faces and the corners of a cube: no direction is further than 36.3 degrees from one.
+/// Towards the faces and corners of a cube: every direction is within 36.3 degrees of one of them.
 const std::array<Vec3d, 14>& lookouts() {
   static const std::array<Vec3d, 14> directions = [] {
     std::array<Vec3d, 14> all;
@@ -26,29 +26,29 @@ const std::array<Vec3d, 14>& lookouts() {
   return directions;
 }
 
-/// Within 46 degrees of a lookout: where each of them is taken, every direction has a neighbour
-/// less than a right angle away, so that nothing flat can touch the particle.
+/// Cosine of 46 degrees. If every such cone around a lookout direction contains a neighbour, no
+/// flat surface can touch the particle.
 constexpr double kLookoutCosine = 0.7;
 
-/// Neighbours up to so many spacings away can hide a particle.
+/// Neighbours up to this distance, in spacings, can hide a particle.
 constexpr double kHideReach_d = 1.85;
 
-/// Bodies of up to so many particles may lie in a row.
+/// Bodies with at most this many particles may be a straight row.
 constexpr Index kFew = 4;
 
 }  // namespace
 
-/// Inertia of a particle about its own centre, without which a row of them could spin about its
-/// axis for nothing: that of a ball among few, so little among many that what their body spins is
-/// what its particles carry. Alone so much that it does not turn: a grain of ice lies where a ball
-/// would roll away.
+/// Moment of inertia of a particle about its own centre. Without it a row of particles could rotate
+/// about its axis at no cost. In small bodies it is that of a sphere; in large ones it is small, so
+/// that the angular momentum is that of the particles. A single particle has so much that it does
+/// not roll.
 template <class Real>
 double IceBodies<Real>::ownInertia(Index count) const {
   const double share = count == 1 ? 1e6 : count <= kFew ? 1.0 : 0.04;
   return share * 0.4 * particle_kg_ * radius_m_ * radius_m_;
 }
 
-/// @return whether some body changes
+/// @return whether any body changes
 template <class Real>
 bool IceBodies<Real>::gatherGroups(const std::vector<Index>& label) {
   group_of_label_.assign(label.size(), kNone);
@@ -72,7 +72,7 @@ bool IceBodies<Real>::gatherGroups(const std::vector<Index>& label) {
   return !same;
 }
 
-/// Copies the bodies that stay, in their order, from the old arrays.
+/// Copies the unchanged bodies, in their order, from the old arrays.
 template <class Real>
 void IceBodies<Real>::keepBodies() {
   stays_.assign(old_bodies_.size(), 0);
@@ -98,8 +98,8 @@ void IceBodies<Real>::keepBodies() {
   }
 }
 
-/// What the members first ... last - 1 are together. Those that were in a body bring its exact pose
-/// and velocity, not what rounding left of them, and their share of its spin.
+/// Combined state of the members first ... last - 1. Members that were in a body contribute its
+/// exact pose and velocity rather than rounded ones, and their part of its rotation.
 template <class Real>
 void IceBodies<Real>::makeBody(const Particles<Real>& particles, Index first, Index last) {
   IceBody body;
@@ -146,7 +146,7 @@ void IceBodies<Real>::makeBody(const Particles<Real>& particles, Index first, In
   bodies_.push_back(body);
 }
 
-/// Notes where particle i lies bare: IceBodies::outward.
+/// Computes IceBodies::outward of particle i.
 /// @return whether it is hidden among particles of its label, so that nothing can touch it
 template <class Real>
 bool IceBodies<Real>::lookAround(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
@@ -173,8 +173,8 @@ bool IceBodies<Real>::lookAround(const VectorField<Real>& x, const Neighbours<Re
   return taken == kHidden;
 }
 
-/// Puts the members of a new body that something may touch before those hidden behind others.
-/// @return end of those that something may touch
+/// Moves the surface members of a new body before the hidden ones.
+/// @return end of the surface members
 template <class Real>
 Index IceBodies<Real>::sortSurface(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
                                    const std::vector<Index>& label, Index first, Index last) {
@@ -190,7 +190,7 @@ Index IceBodies<Real>::sortSurface(const VectorField<Real>& x, const Neighbours<
   return static_cast<Index>(end - place_.begin());
 }
 
-/// Wakes kept bodies beside particles that left or joined another: what held them may be gone.
+/// Wakes unchanged bodies beside particles that changed body, as their support may be gone.
 template <class Real>
 void IceBodies<Real>::wakeBeside(const Neighbours<Real>& neighbours,
                                  const std::vector<Index>& label) {
@@ -228,7 +228,7 @@ void IceBodies<Real>::makeChunks() {
   batches_.push_back(static_cast<Index>(chunks_.size()));
 }
 
-/// Puts what is there aside for the time that new arrays are made of it.
+/// Saves the present arrays while new ones are built from them.
 template <class Real>
 void IceBodies<Real>::putAside() {
   const auto aside = [](auto& values, auto& old) {
@@ -244,7 +244,7 @@ void IceBodies<Real>::putAside() {
   renumbered_.assign(old_place_.size(), kNone);
 }
 
-/// Makes the bodies of the groups that are not kept, in the order in which their first members lie.
+/// Creates bodies for the groups that are not kept, in the order of their first members.
 template <class Real>
 void IceBodies<Real>::makeBodies(const Particles<Real>& particles,
                                  const Neighbours<Real>& neighbours,

@@ -114,7 +114,7 @@ void Springs<Real>::breakMelted(const Phases<Real>& phases) {
             [&](const Spring<Real>& s) { return !phases.ice(s.a) || !phases.ice(s.b); });
 }
 
-/// Union by the lesser place, with path halving.
+/// Union by the smaller index, with path halving.
 template <class Real>
 void Springs<Real>::labelBodies(const Phases<Real>& phases, std::vector<Index>& labels) const {
   const auto rootOf = [&](Index i) {
@@ -133,7 +133,7 @@ void Springs<Real>::labelBodies(const Phases<Real>& phases, std::vector<Index>& 
 template <class Real>
 void Springs<Real>::correct(VectorField<Real>& predicted, double strictness, double particle_kg,
                             double dt_s, bool begins) {
-  // What is made anew in every substep gives nothing back.
+  // Springs that are rebuilt in every substep store no energy.
   const std::size_t lasting = kept_ ? springs_.size() : sheet_count_;
   if (begins) multipliers_.assign(lasting, Real(0));
   const Real half_mass = static_cast<Real>(0.5 * particle_kg);
@@ -153,7 +153,8 @@ void Springs<Real>::correct(VectorField<Real>& predicted, double strictness, dou
     predicted.set(spring.a, xa + half);
     predicted.set(spring.b, xb - half);
   };
-  // One sweep carries errors along with it and shakes sheets apart; there and back it is symmetric.
+  // A one-way sweep carries errors in its direction and destabilises sheets; both ways is
+  // symmetric.
   const std::size_t count = springs_.size();
   for (std::size_t s = 0; s < count; ++s) correctOne(s);
   for (std::size_t s = count; s-- > 0;) correctOne(s);

@@ -1,5 +1,5 @@
-// Springs: the paper's freezing. They exert no force; they correct positions so that the distance
-// between their ends stays within a range that tightens as the temperature falls.
+// Springs, the paper's model of freezing. They exert no force. They correct positions so that their
+// lengths stay within a range that narrows as the temperature falls.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@
 
 namespace ice_ice_baby {
 
-/// Range that springs allow around their rest length, as factors of it.
+/// Allowed range of the length of a spring, relative to its rest length.
 struct SpringRange {
   double shortest = 1.0;
   double longest = 1.0;
 };
 
-/// Range that freezing springs allow at a strictness from 0 (onset) to 1 (frozen) over a substep of
-/// `dt_s`: the slack shrinks in proportion to 1 - strictness. There is no longest length: the paper
-/// manipulates the minimum so that springs push ends apart and never pull them together.
+/// Allowed range at a strictness from 0 (onset) to 1 (frozen) over a substep of `dt_s`. The slack
+/// is proportional to 1 - strictness. There is no maximum length: in the paper springs push their
+/// ends apart and never pull them together.
 SpringRange allowedRange(const SpringParams& params, double strictness, double dt_s);
 
 template <class Real>
@@ -33,7 +33,7 @@ struct Spring {
   }
 };
 
-/// Length error of a spring outside its range: negative when too short, positive when too long.
+/// Length outside the allowed range: negative if too short, positive if too long.
 template <class Real>
 Real springCorrection(Real length_m, Real rest_m, const SpringRange& range);
 
@@ -42,23 +42,23 @@ class Springs {
  public:
   explicit Springs(const SpringParams& params) : params_(params) {}
 
-  /// Springs of a sheet, which never melt: between particles of one spawn up to `reach_m`.
+  /// Adds the springs of a sheet, which never melt, between its particles up to `reach_m` apart.
   void addSheet(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
                 const Spawn& sheet, Real reach_m);
 
-  /// Joins every particle to its neighbours up to `reach_m`; the rest length is the distance at
-  /// x_i.
+  /// Joins every particle to its neighbours up to `reach_m` apart. The rest length is the distance
+  /// between the positions x_i.
   void make(const Particles<Real>& particles, const Neighbours<Real>& neighbours, Real reach_m);
 
-  /// From now on the springs are rigid: they keep their rest lengths and allow no other.
+  /// Makes the springs rigid from now on, with their present rest lengths.
   void keep() { kept_ = true; }
   bool kept() const { return kept_; }
 
-  /// Removes what make() made.
+  /// Removes the springs that make() added.
   void melt();
 
-  /// Joins every particle that has just frozen to the ice up to `reach_m` around it, at rest as it
-  /// lies now.
+  /// Joins every particle that has just frozen to ice up to `reach_m` away, with the present
+  /// distance as rest length.
   /// @param apart spawns that are not joined to each other; null: all ice joins
   void freeze(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
               const Phases<Real>& phases, Real reach_m, const std::vector<Spawn>* apart = nullptr);
@@ -72,11 +72,11 @@ class Springs {
   /// @param gone (n) whether a particle goes
   void removeOf(const std::vector<char>& gone);
 
-  /// Removes the springs that have an end in what is no ice any more; those of sheets stay.
+  /// Removes springs with an end that is no longer ice; those of sheets stay.
   void breakMelted(const Phases<Real>& phases);
 
-  /// Numbers the bodies that ice makes: particles that a chain of springs joins carry the same
-  /// label, the least of their places, kNone those of what belongs to none.
+  /// Labels connected ice: particles joined by a chain of springs have the same label, the smallest
+  /// of their indices. kNone for particles without springs.
   void labelBodies(const Phases<Real>& phases, std::vector<Index>& labels) const;
 
   /// Corrects x* along each spring in turn, half to each end (Algorithm 1).
@@ -85,20 +85,20 @@ class Springs {
                bool begins);
 
   /// The same for elastic ice: a spring stretched by c pulls with c / compliance newtons (XPBD,
-  /// Macklin et al. 2016), however many iterations and substeps there are.
+  /// Macklin et al. 2016), independent of the number of iterations and substeps.
   /// @param begins whether this is the first iteration of a substep
   void correctElastic(VectorField<Real>& predicted, double compliance_m_n, double particle_kg,
                       double dt_s, bool begins);
 
-  /// Removes the springs of ice that are stretched by more than `strain` of their rest length.
+  /// Removes springs of ice that are stretched by more than `strain` times their rest length.
   void breakStretched(const VectorField<Real>& position, double strain);
 
   /// Follows a sort of the particles: place k now holds what was at order[k]. What is not in it
   /// has no springs.
   void renumber(const std::vector<Index>& order);
 
-  /// What stretched springs give back, J: a spring that a substep corrected by a multiplier L in
-  /// all pulls with L / dt^2, and does so over the stretch that is left.
+  /// Energy stored in stretched springs, J. A spring whose multiplier summed to L in a substep
+  /// pulls with a force L / dt^2 over its remaining stretch.
   double elasticEnergy_j(const VectorField<Real>& position, double dt_s) const;
 
   bool empty() const { return springs_.empty(); }
@@ -121,10 +121,10 @@ class Springs {
   void breakFrom(std::size_t first, const Broken& broken);
 
   SpringParams params_;
-  std::vector<Spring<Real>> springs_;  ///< those of sheets first
+  std::vector<Spring<Real>> springs_;  ///< springs of sheets come first
   std::size_t sheet_count_ = 0;
   bool kept_ = false;
-  std::vector<Real> multipliers_;  ///< (those that last) kg m, of a substep
+  std::vector<Real> multipliers_;  ///< (lasting springs) kg m, of the present substep
   std::vector<Index> place_of_;    ///< scratch of renumber
 };
 

@@ -1,4 +1,4 @@
-// The paper's temperature: one number for the whole scene, and how strict it makes the springs.
+// The paper's temperature: one value for the whole scene, and how strict the springs are at it.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@ class Temperature {
  public:
   explicit Temperature(const Scene& scene);
 
-  /// Moves on to simulated time `time_s`, which never goes back.
+  /// Advances to simulated time `time_s`, which must not decrease.
   void advanceTo(double time_s);
 
-  /// Goes to `target_c` over `ramp_s` from now on; what the scene had scheduled is cancelled.
+  /// Ramps to `target_c` over `ramp_s` from now on. Cancels the schedule of the scene.
   void set(double target_c, double ramp_s);
 
   double celsius() const { return celsius_; }
@@ -22,7 +22,7 @@ class Temperature {
   /// 0 at and above onset_c, rising linearly to 1 at and below freezing_c.
   double strictness() const;
 
-  /// All but the time, to which advanceTo brings what was read.
+  /// Lists everything but the time, which advanceTo sets.
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive) {
     archive(self.schedule_, self.celsius_, self.ramp_start_s_, self.ramp_s_, self.from_c_,
@@ -35,7 +35,7 @@ class Temperature {
   void startRamp(double target_c, double ramp_s, double start_s);
 
   TemperatureParams params_;
-  std::vector<TemperatureEvent> schedule_;  ///< what is still to come, by time
+  std::vector<TemperatureEvent> schedule_;  ///< events still to come, by time
   double time_s_ = 0.0;
   double celsius_;
   double ramp_start_s_ = 0.0;

@@ -1,5 +1,5 @@
-// What the heat in a kilogram of water amounts to: its temperature, how much of it is ice or steam,
-// and how well heat passes through it.
+// Temperature, ice fraction, steam fraction and conductivity of water as functions of its specific
+// enthalpy.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,13 @@
 namespace ice_ice_baby {
 
 /// Specific enthalpy H in J/kg, 0 for ice at the freezing point and rising through water to steam.
-/// The temperature stands still while latent heat goes in, so H tells all and T alone does not.
+/// The temperature is constant while latent heat is absorbed, so H determines the state and T alone
+/// does not.
 class EnthalpyCurve {
  public:
   explicit EnthalpyCurve(const ThermalParams& thermal);
 
-  /// T in degrees Celsius; does not fall with H anywhere.
+  /// T in degrees Celsius; a non-decreasing function of H.
   double temperature(double enthalpy_j_kg) const {
     const double h = enthalpy_j_kg;
     if (h < 0.0) return freezing_c_ + h / ice_j_kgk_;
@@ -24,32 +25,33 @@ class EnthalpyCurve {
     return boiling_c_ + (h - steam_j_kg_) / steam_j_kgk_;
   }
 
-  /// The inverse. Where it is not unique, exactly at freezing and at boiling, all of it is water.
+  /// The inverse. At exactly the freezing or boiling point, where it is not unique, all of it is
+  /// water.
   double enthalpy(double celsius) const {
     if (celsius < freezing_c_) return ice_j_kgk_ * (celsius - freezing_c_);
     if (celsius > boiling_c_) return steam_j_kg_ + steam_j_kgk_ * (celsius - boiling_c_);
     return fusion_j_kg_ + water_j_kgk_ * (celsius - freezing_c_);
   }
 
-  /// 1 ice ... 0 water, by mass.
+  /// Ice fraction by mass.
   double iceFraction(double enthalpy_j_kg) const {
     return std::clamp(1.0 - enthalpy_j_kg / fusion_j_kg_, 0.0, 1.0);
   }
 
-  /// 0 water ... 1 steam, by mass.
+  /// Steam fraction by mass.
   double steamFraction(double enthalpy_j_kg) const {
     return std::clamp((enthalpy_j_kg - boils_j_kg_) / (steam_j_kg_ - boils_j_kg_), 0.0, 1.0);
   }
 
-  /// W/(m K), between that of ice and of water by ice fraction.
+  /// W/(m K); interpolated between ice and water by ice fraction.
   double conductivity(double enthalpy_j_kg) const {
     const double ice = iceFraction(enthalpy_j_kg);
     return ice * ice_w_mk_ + (1.0 - ice) * water_w_mk_;
   }
 
-  /// Conductivity integrated over temperature from the freezing point (Kirchhoff), W/m. Heat flows
-  /// by its difference: through ice up to the freezing point, through water from there on, wherever
-  /// between two particles that point lies.
+  /// Conductivity integrated over temperature from the freezing point (Kirchhoff transform), W/m.
+  /// The heat flow between two particles is proportional to its difference, wherever the freezing
+  /// front lies between them.
   double potential(double celsius) const {
     const double above = celsius - freezing_c_;
     return above < 0.0 ? ice_w_mk_ * above : water_w_mk_ * above;

@@ -9,7 +9,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Within which a volume follows a change of phase, s.
+/// Time over which a volume follows a change of phase, s.
 constexpr double kSwelling_s = 0.5;
 
 }  // namespace
@@ -48,8 +48,8 @@ void Phases<Real>::add(const EnthalpyCurve& curve, const std::vector<double>& en
   for (auto* flags : {&flows_, &wet_, &pressed_}) flags->resize(n, 1);
 }
 
-/// Water freezes once all its latent heat is gone, it is colder than it melts and it has swollen;
-/// ice melts once all of that heat is back; steam likewise.
+/// Water freezes once it has lost all its latent heat, is colder than the hysteresis and has
+/// expanded. Ice melts once it has regained that heat. Steam likewise.
 template <class Real>
 Phase Phases<Real>::next(std::size_t i, const EnthalpyCurve& curve, double enthalpy_j_kg) const {
   const double ice = curve.iceFraction(enthalpy_j_kg);
@@ -96,7 +96,7 @@ void Phases<Real>::swell(double dt_s) {
   for (std::size_t i = 0; i < relative_volume_.size(); ++i) {
     const Real way = target_volume_[i] - relative_volume_[i];
     if (way == 0) continue;
-    // What is far from any volume of water or ice has been steam.
+    // A volume far from those of water and ice means that the particle was steam.
     const Real step = std::abs(way) > 2 * Real(std::abs(expansion_)) ? condensing : freezing;
     const bool there = std::abs(way) <= step;
     relative_volume_[i] =

@@ -23,18 +23,18 @@ class Phases {
   /// @param enthalpy_j_kg (n)
   void add(const EnthalpyCurve& curve, const std::vector<double>& enthalpy_j_kg);
 
-  /// Follows the enthalpies, with the hysteresis of the scene. Water turns to ice only once it has
-  /// the volume of ice.
+  /// Updates the phases from the enthalpies, with the hysteresis of the scene. Water becomes ice
+  /// only once it has expanded to the volume of ice.
   /// @param enthalpy_j_kg (n)
   /// @returns whether any particle changed its phase
   bool update(const EnthalpyCurve& curve, const std::vector<double>& enthalpy_j_kg);
 
-  /// Lets volumes follow the enthalpies of the latest update: what freezing swells or thawing
-  /// shrinks takes half a second, as does what condenses, so that nothing is thrown.
+  /// Moves the volumes towards those of the latest update. Freezing, thawing and condensing change
+  /// the volume over half a second, so that nothing is thrown.
   /// @param dt_s simulated time; infinite: at once
   void swell(double dt_s);
 
-  /// Finds out which ice touches water; to be called when phases or neighbours have changed.
+  /// Finds the ice that touches water. Call it when phases or neighbours have changed.
   void findWet(const Neighbours<Real>& neighbours);
 
   /// Puts particle order[k] at place k, as Particles::reorder does.
@@ -45,30 +45,30 @@ class Phases {
   bool steam(std::size_t i) const { return steam_[i] != 0; }
   /// Whether the particle became ice in the latest update.
   bool newIce(std::size_t i) const { return new_ice_[i] != 0; }
-  /// Ice that froze to a collider stays there until it melts: number of it, or kNone.
+  /// Collider that the particle froze to, until it melts; kNone if none.
   Index stuckTo(std::size_t i) const { return stuck_to_[i]; }
   void stick(std::size_t i, Index collider) { stuck_to_[i] = collider; }
   std::size_t size() const { return phase_.size(); }
   std::size_t iceCount() const { return ice_count_; }
   std::size_t steamCount() const { return steam_count_; }
 
-  /// (n) volume over that of water at rest: 1 / ice.density_ratio for ice, 0 for steam.
+  /// (n) volume relative to water at rest: 1 / ice.density_ratio for ice, 0 for steam.
   const std::vector<Real>& relativeVolume() const { return relative_volume_; }
-  /// (n) ice fraction of what still flows, 0 for ice and steam.
+  /// (n) ice fraction of particles that still flow; 0 for ice and steam.
   const std::vector<Real>& slush() const { return slush_; }
   /// (n) 1 for steam.
   const std::vector<std::uint8_t>& steamFlags() const { return steam_; }
-  /// (n) 1 where a density constraint holds: water, and ice that is elastic.
+  /// (n) 1 for particles with a density constraint: water, and elastic ice.
   const std::vector<std::uint8_t>& flows() const { return flows_; }
-  /// (n) 1 where water presses: what flows, and the ice beside it.
+  /// (n) 1 for particles that feel pressure: those that flow, and ice next to them.
   const std::vector<std::uint8_t>& wet() const { return wet_; }
-  /// (n) 1 for those and the ice beside them, on which they press in turn: without it what a wet
-  /// particle takes from dry ice has no reaction.
+  /// (n) 1 for wet particles and the ice next to them. Without these the force of dry ice on a wet
+  /// particle would have no reaction.
   const std::vector<std::uint8_t>& pressed() const { return pressed_; }
 
   std::size_t bytes() const;
 
-  /// Flags and counts follow from the phases; those of the latest update are for that alone.
+  /// Flags and counts are recomputed from the phases.
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive) {
     archive(self.phase_, self.relative_volume_, self.target_volume_, self.swelling_, self.slush_,
@@ -83,7 +83,7 @@ class Phases {
 
   double freeze_below_c_;
   double melt_above_c_;
-  double expansion_;  ///< of freezing, by volume
+  double expansion_;  ///< relative volume of ice
   bool elastic_;
   std::vector<Phase> phase_;
   std::vector<Real> relative_volume_;

@@ -8,8 +8,8 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Puffs rise by half faster or slower than each other, as what boils together does not stay so:
-/// 1/2 ... 3/2, spread evenly by the golden ratio, 1 for the first.
+/// Factor on the rise speed of a particle, from 1/2 to 3/2, spread evenly by the golden ratio; 1
+/// for the first. Steam that boils off together disperses.
 double haste(std::uint32_t id) {
   return 0.5 + std::fmod(0.5 + 0.6180339887498949 * double(id), 1.0);
 }

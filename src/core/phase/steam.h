@@ -1,4 +1,4 @@
-// Steam: boiled water that no density constraint holds. It rises with drag, and heat condenses it.
+// Steam: boiled water without a density constraint. It rises with drag and condenses when cooled.
 #pragma once
 
 #include "particles/particles.h"
@@ -15,10 +15,10 @@ class Steam {
  public:
   explicit Steam(const SteamParams& params) : params_(params) {}
 
-  /// Replaces free fall: v goes to steam.rise_speed_m_s, by up to half more or less for each
-  /// puff, against gravity at the rate steam.drag_1_s, and x* = x + dt v. Without gravity it comes
-  /// to a stop.
-  /// @param particles just predicted in free fall
+  /// Replaces free fall: v approaches steam.rise_speed_m_s against gravity at the rate
+  /// steam.drag_1_s, and x* = x + dt v. The speed varies by up to half between particles. Without
+  /// gravity steam comes to rest.
+  /// @param particles after predicting free fall
   void predict(Particles<Real>& particles, const Phases<Real>& phases, const Vec3d& gravity_m_s2,
                double dt_s) const;
 

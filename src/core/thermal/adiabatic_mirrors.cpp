@@ -47,7 +47,7 @@ bool AdiabaticMirrors<Real>::over(std::size_t collider, const Vec3<Real>& point)
   return colliders_[collider].shape.near(local, std::numeric_limits<Real>::infinity()).count > 0;
 }
 
-/// Whether a plate with a temperature lies flush with a wall at a point of it.
+/// Whether a plate with a temperature lies flush with a wall at the given point.
 template <class Real>
 bool AdiabaticMirrors<Real>::coveredByPlate(const Vec3<Real>& foot,
                                             const Vec3<Real>& inward) const {

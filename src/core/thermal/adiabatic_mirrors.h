@@ -1,5 +1,5 @@
-// Walls without conduction as mirrors: behind them the water goes on with the same temperatures, so
-// what runs along the wall conducts there as it does far from it.
+// Adiabatic walls as mirrors: behind them the water continues with the mirrored temperatures, so
+// that heat flows along a wall as it does in the bulk.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace ice_ice_baby {
 
-/// Flat faces only. A particle in a container sees the faces of that container, one outside all
-/// containers sees the flat faces of all colliders.
+/// Flat faces only. A particle in a container is mirrored at the faces of that container; a
+/// particle outside all containers is mirrored at the flat faces of all colliders.
 template <class Real>
 class AdiabaticMirrors {
  public:
@@ -31,14 +31,14 @@ class AdiabaticMirrors {
   AdiabaticMirrors(const Colliders<Real>& colliders, const ThermalBoundaries<Real>& walls,
                    const ConductionLattice& lattice);
 
-  /// Finds out which container holds which particle.
+  /// Finds the container that holds each particle.
   void locate(const VectorField<Real>& x);
 
-  /// Faces nearer than the support radius.
+  /// Faces closer than the support radius.
   Faces near(std::size_t i, const Vec3<Real>& point) const;
 
-  /// Calls visit(r^2) for each image of particle j whose distance r to the particle that sees
-  /// `faces` is less than the support radius. What j sees of that one has the same bits.
+  /// Calls visit(r^2) for each mirror image of particle j whose distance r to the particle of
+  /// `faces` is less than the support radius. Symmetric to the last bit.
   /// @param distance2 square of the distance to j itself, m^2
   template <class Visit>
   void forEachImage(const Faces& faces, std::size_t i, std::size_t j, const Vec3<Real>& point,
@@ -71,14 +71,14 @@ void AdiabaticMirrors<Real>::forEachImage(const Faces& faces, std::size_t i, std
                                           const Visit& visit) const {
   if (owner_[i] != owner_[j]) return;
   const Real reach2 = support_ * support_;
-  std::array<Real, 8> further;  // what each face adds to the square of the distance
+  std::array<Real, 8> further;  // added by each face to the squared distance
   for (int a = 0; a < faces.count; ++a) {
     const Face& face = faces.faces[std::size_t(a)];
     const bool beside = owner_[i] == kNone && !over(face.collider, point);
     const Real add = 4 * face.distance * distanceTo(face, point);
     further[std::size_t(a)] = beside ? reach2 : add;
   }
-  // Each subset of walls at right angles has an image of its own.
+  // Each subset of walls at right angles has its own image.
   for (int a = 0; a < faces.count; ++a) {
     const Real one = distance2 + further[std::size_t(a)];
     if (one >= reach2) continue;

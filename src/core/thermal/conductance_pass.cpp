@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ice_ice_baby {
 namespace HWY_NAMESPACE {
 
-/// 4 - 6 q, beyond 1/2: 2 (1 - q)^2 / q.
+/// 4 - 6 q for q < 1/2, and 2 (1 - q)^2 / q beyond.
 template <class D>
 HWY_INLINE hn::Vec<D> cubicSlope(D d, hn::Vec<D> q) {
   using Real = hn::TFromD<D>;

@@ -1,12 +1,11 @@
-// The loop over pairs that measures how well neighbours conduct, as vectors like those of
-// pair_passes.h.
+// Vectorised loop over pairs that computes the conductances between neighbours.
 #pragma once
 
 #include "fluid/pair_passes.h"
 
 namespace ice_ice_baby {
 
-/// What the pass leaves for each particle i and each neighbour j of its list.
+/// Output of the pass for each particle i and each neighbour j in its list.
 template <class Real>
 struct ConductanceSums {
   const std::vector<std::size_t>& start;  ///< (n) first link of a particle
@@ -15,8 +14,8 @@ struct ConductanceSums {
   VectorField<Real>& arms;   ///< (n) sum of links times x_j - x_i, m
 };
 
-/// Measures the links of some particles, a in the fourth column of the positions. Links of pairs at
-/// distance 0 and from h on are 0. A link has the same bits from both sides.
+/// Computes the links of a range of particles; a is the fourth column of the positions. Links of
+/// pairs at distance 0 and beyond h are 0. A link is bit-identical from both sides.
 template <class Real>
 using ConductancePass = void (*)(const PairInput<Real>&, ConductanceSums<Real>, ParticleRange);
 

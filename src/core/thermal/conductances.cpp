@@ -48,7 +48,7 @@ void Conductances<Real>::measure(const VectorField<Real>& x, const Neighbours<Re
   }
 }
 
-/// Adds to the links of a particle those to the images of its neighbours; returns their sum.
+/// Adds the links to mirror images of neighbours to those of a particle; returns their sum.
 template <class Real>
 Real Conductances<Real>::addImages(std::size_t i, const VectorField<Real>& x,
                                    const Neighbours<Real>& neighbours) {

@@ -1,5 +1,5 @@
-// How well each pair of neighbours conducts, but for the conductivities, which change with each
-// pass: measured once a frame.
+// Geometric factor of the conductance of each pair of neighbours, computed once per frame. The
+// conductivities, which change with every pass, are not included.
 #pragma once
 
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace ice_ice_baby {
 
-/// What a frame gives to heat.
+/// Input of the thermal solver for one frame.
 template <class Real>
 struct ThermalStep {
   double dt_s = 0.0;                                 ///< simulated
   double air_c = 20.0;                               ///< of the air
-  const std::vector<std::uint8_t>* steam = nullptr;  ///< (n) which are puffs of steam; null: none
-  const std::vector<Real>* volume = nullptr;  ///< (n) over that of water; null: 1 for all of them
+  const std::vector<std::uint8_t>* steam = nullptr;  ///< (n) 1 for steam; null: no steam
+  const std::vector<Real>* volume = nullptr;         ///< (n) relative to water; null: all 1
 };
 
 template <class Real>
@@ -25,18 +25,17 @@ class Conductances {
   Conductances(const Colliders<Real>& colliders, const ThermalBoundaries<Real>& walls,
                const ConductionLattice& lattice);
 
-  /// Makes room for the links of all lists, to be measured next.
+  /// Allocates the links of all lists, before measuring them.
   void begin(const VectorField<Real>& x, const Neighbours<Real>& neighbours,
              const ThermalStep<Real>& step);
 
-  /// Measures the links of some particles.
-  /// @param total_m (n) sum of the lengths of a particle
-  /// @param open_m2 (n) area that links leave bare, pointing inwards
+  /// Computes the links of a range of particles.
+  /// @param total_m (n) sum of the link lengths of a particle
+  /// @param open_m2 (n) exposed area not covered by links, as a vector pointing inwards
   void measure(const VectorField<Real>& x, const Neighbours<Real>& neighbours, ParticleRange range,
                std::vector<Real>& total_m, VectorField<Real>& open_m2);
 
-  /// Each link of a particle in the order of its list: of two particles the same from both sides,
-  /// its length over scale_m().
+  /// Links of a particle in the order of its list, as length divided by scale_m(). Symmetric.
   const Real* of(std::size_t i) const { return links_.data() + start_[i]; }
   Real scale_m() const { return scale_; }
 
@@ -56,7 +55,7 @@ class Conductances {
   Real scale_;                      ///< ConductionLattice::length_m(h / 2)
   std::vector<std::size_t> start_;  ///< (n) first link
   std::vector<Real> links_;         ///< of all lists
-  std::vector<Real> presence_;      ///< (n) relative volume; 0 of steam
+  std::vector<Real> presence_;      ///< (n) relative volume; 0 for steam
   PackedXyzw<Real> rows_;           ///< (n, 4) x_i and presence
 };
 

@@ -1,4 +1,4 @@
-// Conduction on the rest lattice, from which all conduction between particles takes its scale.
+// Conduction on the rest lattice, which calibrates conduction between particles.
 #pragma once
 
 #include "ice_ice_baby/scene.h"
@@ -6,9 +6,10 @@
 
 namespace ice_ice_baby {
 
-/// Two particles at distance r pass on k L (T_j - T_i) watts with the length L = 2 V (-W'(r) / r) /
-/// S, W the cubic spline (Cleary & Monaghan 1999) and S the second moment of -W' / r over the
-/// lattice, which makes the Laplacian of x^2 exact there: without it the cubic spline is 2 % off.
+/// The heat flow between two particles at distance r is k L (T_j - T_i) watts, with the length
+/// L = 2 V (-W'(r) / r) / S. W is the cubic spline (Cleary & Monaghan 1999). S is the second moment
+/// of -W' / r over the lattice, which makes the Laplacian of x^2 exact there; without it the cubic
+/// spline has an error of 2 %.
 class ConductionLattice {
  public:
   explicit ConductionLattice(const Scene& scene);
@@ -18,15 +19,15 @@ class ConductionLattice {
   double volume_m3;  ///< V of a particle
   double mass_kg;
   double moment_1_m3;  ///< S
-  double links_m;      ///< L of all pairs of a particle in the bulk together
-  double area_m2;      ///< V / d: what a particle takes of a flat surface
+  double links_m;      ///< sum of L over all pairs of a particle in the bulk
+  double area_m2;      ///< V / d: area of a particle at a flat surface
 
-  /// L of two particles at a distance, m.
+  /// L of two particles at the given distance, m.
   double length_m(double distance_m) const;
 
-  /// Share of `area_m2` that a particle takes of a flat wall at a distance: heat across the wall
-  /// that pairs would carry if the lattice went on behind it, the first layer half a spacing deep.
-  /// Adds up to 1 over the layers of the rest lattice.
+  /// Fraction of `area_m2` through which a particle at a distance from a flat wall exchanges heat
+  /// with it: that of the pairs if the lattice continued behind the wall, its first layer half a
+  /// spacing deep. The fractions of the layers of the rest lattice add up to 1.
   double wallShare(double distance_m) const;
 
  private:

@@ -1,4 +1,4 @@
-// Torches and freezing sprays at work.
+// Active heat sources and sinks: torches and freezing sprays.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ class HeatedRegions {
  public:
   void add(const HeatedRegion& region) { active_.push_back(region); }
 
-  /// Adds to `power_w` what each particle receives, on average over the next `dt_s` of simulated
-  /// time, and ends the regions whose time is over. A region that holds no particle heats nothing.
+  /// Adds the mean power that each particle receives over the next `dt_s` of simulated time to
+  /// `power_w`, and removes regions that have ended. A region without particles heats nothing.
   /// @param power_w (n) W
   template <class Real>
   void advance(const VectorField<Real>& x, double dt_s, std::vector<Real>& power_w);
@@ -29,7 +29,7 @@ class HeatedRegions {
   std::size_t bytes() const { return active_.capacity() * sizeof(HeatedRegion); }
 
  private:
-  std::vector<HeatedRegion> active_;  ///< duration_s: what is left of it
+  std::vector<HeatedRegion> active_;  ///< duration_s: the remaining time
 };
 
 }  // namespace ice_ice_baby

@@ -89,7 +89,7 @@ template <class Real>
 WallContact<Real> ThermalBoundaries<Real>::at(const Vec3<Real>& point) const {
   WallContact<Real> contact;
   forEachNear(point, support_, [&](const Surface& one, Real distance, Real flatness) {
-    // Closer than this a centre is by error only, and the conductance must stay finite.
+    // Centres come closer than this only by error; keeps the conductance finite.
     const Real s = std::max(distance, spacing_ / 4);
     const Real area = area_ * share_.at(s).first;
     if (one.heat == ThermalBoundary::kFlux)
@@ -113,7 +113,7 @@ WallContact<Real> ThermalBoundaries<Real>::touching(const Vec3<Real>& point) con
 template <class Real>
 Index ThermalBoundaries<Real>::colderThan(double celsius, const Vec3<Real>& point) const {
   Index found = kNone;
-  const Real touch = Real(1.5) * radius_;  // half a radius further than where particles rest
+  const Real touch = Real(1.5) * radius_;  // half a radius beyond the distance at rest
   forEachNear(point, touch, [&](const Surface& one, Real, Real) {
     if (one.heat != ThermalBoundary::kTemperature || one.celsius >= celsius || found != kNone)
       return;

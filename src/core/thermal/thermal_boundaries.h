@@ -1,4 +1,4 @@
-// Heat across the surfaces of colliders that are not insulated.
+// Heat transfer through collider surfaces that are not insulated.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,12 @@
 
 namespace ice_ice_baby {
 
-/// What the walls near a particle do to it.
+/// Effect of the walls near a particle.
 template <class Real>
 struct WallContact {
-  Real length_m = 0;  ///< through which surfaces with a temperature conduct to it
-  Real level = 0;     ///< their potential, W/m, each as much as it conducts; for steam in Celsius
+  Real length_m = 0;  ///< conductance length to surfaces with a temperature
+  Real level = 0;     ///< their mean potential, W/m, weighted by conductance; for steam the
+                      ///< temperature in Celsius
   Real power_w = 0;   ///< from surfaces with a flux
 
   void add(Real length, double at) {
@@ -25,34 +26,34 @@ struct WallContact {
   }
 };
 
-/// A wall with a temperature counts as if the rest lattice went on behind it, each ghost as much
-/// beyond the wall's temperature as a straight line from the particle through the wall has it. A
-/// curved surface counts as the flat wall with the conductance of a spherical shell.
+/// A wall with a temperature counts as if the rest lattice continued behind it, with temperatures
+/// extrapolated linearly from the particle through the wall. A curved surface counts as the flat
+/// wall with the conductance of a spherical shell.
 template <class Real>
 class ThermalBoundaries {
  public:
   ThermalBoundaries(const Scene& scene, const Colliders<Real>& colliders,
                     const ConductionLattice& lattice, const EnthalpyCurve& curve);
 
-  /// Gives a collider a surface temperature, reached over `ramp_s` simulated seconds from the one
-  /// that it has, or that the scene names. @throws InvalidInput for an unknown name
+  /// Ramps the surface temperature of a collider over `ramp_s` simulated seconds, starting from its
+  /// present one or that of the scene file. @throws InvalidInput for an unknown name
   void set(const std::string& name, double celsius, double ramp_s);
 
-  /// Moves the ramps on by simulated time.
+  /// Advances the ramps by simulated time.
   void advance(double dt_s);
 
   /// Whether any collider is not insulated.
   bool active() const;
-  /// Whether heat crosses no face of a collider by conduction: insulated, or with a flux.
+  /// Whether a collider has no surface temperature: it is insulated or has a flux.
   bool mirrors(std::size_t collider) const;
-  /// Of the surface, or of the scene where the surface has none. @throws InvalidInput
+  /// Temperature of the surface, or of the scene file if it has none. @throws InvalidInput
   double celsius(const std::string& name) const;
 
   /// For a particle that conducts.
   WallContact<Real> at(const Vec3<Real>& point) const;
-  /// Number of a collider colder than `celsius` that a particle at a point touches, or kNone.
+  /// Index of a collider colder than `celsius` that a particle at the point touches, or kNone.
   Index colderThan(double celsius, const Vec3<Real>& point) const;
-  /// For a puff of steam: surfaces with a temperature that it touches; `length_m` counts them.
+  /// For steam: surfaces with a temperature that it touches; `length_m` is their number.
   WallContact<Real> touching(const Vec3<Real>& point) const;
 
   template <class Self, class Archive>

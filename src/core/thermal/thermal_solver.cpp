@@ -12,11 +12,10 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Share of the longest step that keeps temperatures in range: room for round-off.
+/// Safety factor on the longest stable step, for rounding.
 constexpr double kSafety = 0.9;
 
-/// Less bare area than this share of what the top layer of a flat surface has is the noise of
-/// disorder.
+/// Exposed area below this fraction of that of a flat surface is noise from disorder.
 constexpr double kNoise = 0.25;
 
 /// Radius of a puff of steam over that of the ball of water it came from: 12^3 = 1700 times the
@@ -186,7 +185,7 @@ void ThermalSolver<Real>::readCurve(std::size_t i) {
   potential_[i] = static_cast<Real>(curve_.potential(curve_.temperature(enthalpy_[i])));
 }
 
-/// Each term is, to the last bit, what the same term of the neighbour is with the other sign.
+/// Pairwise terms are exactly antisymmetric, so energy is conserved to rounding.
 template <class Real>
 void ThermalSolver<Real>::sumRate(std::size_t i, const Neighbours<Real>& neighbours) {
   const Real own = potential_[i];
@@ -205,7 +204,8 @@ double ThermalSolver<Real>::fromSurfaces_w(std::size_t i, double air_c) const {
   return walls_w + heat_transfer_w_m2k * double(bare_m2_[i]) * (air_c - temperature(i));
 }
 
-/// Alone with air and walls, a puff may be much faster than a pass: it ends where they are.
+/// Steam exchanges heat only with air and walls, and may equilibrate within a pass; the exact
+/// exponential keeps it stable.
 template <class Real>
 double ThermalSolver<Real>::gainOfSteam_j_kg(std::size_t i, double air_c, double pass_s) const {
   const double wall_w_k = touch_w_k_ * double(contact_[i].length_m);

@@ -1,11 +1,11 @@
-// Heat of every particle: conduction, walls, air, torches, and what they do to ice and steam.
+// Heat transfer: conduction between particles, walls, air, heated regions and steam.
 //
 // m dH_i/dt = sum_j L_ij (P_j - P_i) + walls + air + regions, with the specific enthalpy H and the
-// conduction potential P(T) of EnthalpyCurve and the lengths L_ij of ConductionLattice. A mean of
-// two conductivities (Cleary & Monaghan 1999) in place of P is for two materials: between ice and
-// water it puts water in the way of ice that freezes on, and the front falls 4 % behind. Time runs
-// `thermal.speedup` times as fast as in the rest of the scene, by forward Euler steps so short that
-// no temperature leaves the range of its neighbours and surfaces.
+// conduction potential P(T) of EnthalpyCurve and the lengths L_ij of ConductionLattice. The usual
+// mean of two conductivities (Cleary & Monaghan 1999) is meant for two materials; at a freezing
+// front it slows the front by 4 %. Thermal time runs `thermal.speedup` times as fast as simulated
+// time, with forward Euler steps so short that no temperature leaves the range of its neighbours
+// and surfaces.
 #pragma once
 
 #include <optional>
@@ -19,12 +19,12 @@
 
 namespace ice_ice_baby {
 
-/// Enthalpies are doubles in both precisions, and what one particle of a pair gives the other takes
-/// to the last bit: without walls, air and regions their sum drifts by round-off of doubles only.
+/// Enthalpies are doubles in both precisions, and pairs exchange exactly opposite amounts. Without
+/// walls, air and regions the total enthalpy is conserved to rounding of doubles.
 template <class Real>
 class ThermalSolver {
  public:
-  /// Steps that a frame takes at most; what a higher speed-up asks for beyond is left out.
+  /// Maximum number of steps per frame; a higher speed-up is not reached.
   static constexpr int kMostPasses = 200;
 
   /// Without particles. @param colliders must outlive it
@@ -32,8 +32,8 @@ class ThermalSolver {
   ThermalSolver(const ThermalSolver&) = delete;
   ThermalSolver& operator=(const ThermalSolver&) = delete;
 
-  /// Moves heat on by a stretch of simulated time, with positions as they are.
-  /// @param neighbours lists that hold every pair nearer than the support radius
+  /// Advances the enthalpies by a period of simulated time at fixed positions.
+  /// @param neighbours lists with every pair closer than the support radius
   void advance(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
                const ThermalStep<Real>& step);
 
@@ -53,7 +53,7 @@ class ThermalSolver {
   }
 
   void addRegion(const HeatedRegion& region) { regions_.add(region); }
-  /// Regions at work.
+  /// Number of active regions.
   std::size_t regions() const { return regions_.size(); }
 
   const EnthalpyCurve& curve() const { return curve_; }
@@ -68,10 +68,10 @@ class ThermalSolver {
   /// totalEnthalpy_j less this stays.
   double heatIn_j() const;
 
-  /// Passes of the latest advance, and the seconds of heat that passed in a simulated second of it:
-  /// below thermal.speedup where the passes did not suffice.
+  /// Passes of the latest advance, and its thermal time per simulated time, which is below
+  /// thermal.speedup if the passes did not suffice.
   int passes() const { return passes_; }
-  /// Longest stretch of heat that one pass of the latest advance could have taken, s; 0 before it.
+  /// Longest stable pass of the latest advance, s of thermal time; 0 before it.
   double passLength_s() const { return longest_pass_s_; }
   double reachedSpeedup() const { return reached_speedup_; }
 
@@ -109,26 +109,26 @@ class ThermalSolver {
   Conductances<Real> links_;
   HeatedRegions regions_;
   const Colliders<Real>& colliders_;
-  std::optional<BoundaryDensity<Real>> cover_;  ///< walls keep the air away
-  double steam_w_k_;                            ///< between a puff of steam and the air
+  std::optional<BoundaryDensity<Real>> cover_;  ///< covers particles at walls from the air
+  double steam_w_k_;                            ///< between a steam particle and the air
   double touch_w_k_;                            ///< between it and a wall
-  Real noise_m2_ = 0;                           ///< bare area below this counts as none
+  Real noise_m2_ = 0;                           ///< exposed area below this counts as zero
   Real bare_scale_ = 1;
-  Real drop_links_m_ = 0;  ///< links of less length in all make a drop
-  Real drop_m2_ = 0;       ///< surface of a drop of one particle
+  Real drop_links_m_ = 0;  ///< total link length below which a particle is a drop
+  Real drop_m2_ = 0;       ///< surface of a drop of one particle, m^2
   int passes_ = 0;
   double longest_pass_s_ = 0.0;
   double reached_speedup_ = 0.0;
 
   std::vector<double> enthalpy_;            ///< (n) J/kg
-  std::vector<double> received_;            ///< (n) J/kg that came from outside
+  std::vector<double> received_;            ///< (n) J/kg received from outside
   std::vector<double> rate_;                ///< (n) W from neighbours; scratch of reorder
   std::vector<Real> potential_;             ///< (n) P, W/m
   std::vector<WallContact<Real>> contact_;  ///< (n)
   std::vector<Real> power_w_;               ///< (n) from regions and walls with a flux
-  std::vector<Real> bare_m2_;               ///< (n) area open to the air
-  std::vector<Real> relaxation_;  ///< (n) relaxation_kg_s; before that length of all links, m
-  VectorField<Real> open_m2_;     ///< (n) area bare of others and of walls, pointing inwards
+  std::vector<Real> bare_m2_;               ///< (n) area exposed to the air
+  std::vector<Real> relaxation_;  ///< (n) relaxation_kg_s; before that the total link length, m
+  VectorField<Real> open_m2_;     ///< (n) exposed area as a vector pointing inwards
 };
 
 }  // namespace ice_ice_baby

@@ -68,7 +68,7 @@ TEST(ShapesTest, TheNormalIsTheGradientOfTheDistance) {
       }
     }
   }
-  EXPECT_GT(compared, 2000u);
+  EXPECT_GT(compared, 1500u);
 }
 
 /// What a surface is near to is what stops a path: a particle rests half a spacing from it.

@@ -21,7 +21,7 @@ std::map<std::string, double> facesOf(const std::vector<Override>& changes, doub
                                       const char* yaml = kPool) {
   const auto simulation = makeSimulation(parseScene(yaml, changes), Precision::kFloat, 1);
   std::map<std::string, double> metrics;
-  for (const ErrorMetric& metric : runFrames(*simulation, {}, duration_s).metrics) {
+  for (const ErrorMetric& metric : runFrames(*simulation, {}, duration_s, 1).metrics) {
     metrics[metric.name] = metric.value;
   }
   return metrics;
