@@ -49,7 +49,8 @@ NearSurfaces<Real> SphereShape<Real>::near(const Vec3<Real>& point, Real reach_m
   const Real gap = distance - reach;
   if (gap + this->radius >= reach_m || distance == 0) return surfaces;
   const Real ball = curvatureRadius();
-  surfaces.add({gap, distance - ball, point / distance, ball / std::max(distance, ball), 0, {}});
+  surfaces.add({gap, distance - ball, point / distance, ball / std::max(distance, ball), 0,
+                Vec3<Real>::Zero()});
   return surfaces;
 }
 
