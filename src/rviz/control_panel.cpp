@@ -23,10 +23,10 @@ Q_DECLARE_METATYPE(ice_ice_baby::State)
 namespace ice_ice_baby {
 namespace {
 
-const char* const DEFAULT_NODE = "/ice_ice_baby";
-constexpr double ARRIVED_C = 0.05;  ///< so close to the target it counts as reached
-constexpr int WATCH_MS = 1000;
-constexpr int SILENCE_MS = 2000;  ///< without a state for so long the node is asked
+const char* const kDefaultNode = "/ice_ice_baby";
+constexpr double kArrived_c = 0.05;  ///< so close to the target it counts as reached
+constexpr int kWatch_ms = 1000;
+constexpr int kSilence_ms = 2000;  ///< without a state for so long the node is asked
 
 QPushButton* makeButton(const char* text, const char* object_name, const char* tip) {
   auto* button = new QPushButton(text);
@@ -45,7 +45,7 @@ QStringList words(const std::vector<std::string>& names) {
 
 ControlPanel::ControlPanel(QWidget* parent)
     : rviz::Panel(parent),
-      node_(new QLineEdit(DEFAULT_NODE)),
+      node_(new QLineEdit(kDefaultNode)),
       temperature_(new TemperatureControl),
       pause_(makeButton("Pause", "pause_button", "Holds the simulation or lets it run on")),
       step_(makeButton("Step", "step_button", "One frame, while paused")),
@@ -60,7 +60,7 @@ ControlPanel::ControlPanel(QWidget* parent)
   connectInputs();
   connectClient();
   followNode(node_->text());
-  watch_.start(WATCH_MS);
+  watch_.start(kWatch_ms);
 }
 
 ControlPanel::~ControlPanel() = default;
@@ -182,7 +182,7 @@ void ControlPanel::showState(const State& state) {
   state_view_->show(state);
   temperature_->showInForce(state.temperature, state.heat ? state.mean_temperature : std::nan(""));
   temperature_->offerTargets(state.heat, words(state.targets));
-  if (target_ && std::abs(state.temperature - *target_) < ARRIVED_C) target_.reset();
+  if (target_ && std::abs(state.temperature - *target_) < kArrived_c) target_.reset();
   if (!target_) temperature_->showTarget(state.temperature);
   if (scene_->view()->isVisible()) return;
   scene_->setCurrentText(QString::fromStdString(state.scene));
@@ -204,7 +204,7 @@ void ControlPanel::showLine(const QString& text, bool good) {
 /// Calls a node that has been silent, because it may be paused, new or gone, and one that has not
 /// answered yet, because states may arrive before its services can be called.
 void ControlPanel::checkNode() {
-  const bool silent = !since_state_.isValid() || since_state_.elapsed() > SILENCE_MS;
+  const bool silent = !since_state_.isValid() || since_state_.elapsed() > kSilence_ms;
   if (asked_ || (reached_ && !silent)) return;
   asked_ = true;
   client_->refresh();

@@ -10,7 +10,7 @@ namespace {
 
 using sensor_msgs::PointField;
 
-constexpr std::uint32_t WATER_BLUE = 0x2175DB;
+constexpr std::uint32_t kWaterBlue = 0x2175DB;
 
 /// Reads one field of points; one that the cloud lacks has always the same value.
 template <typename Value>
@@ -73,7 +73,7 @@ class CloudReader {
     point.position.x = x_.read(at(k), 0.0F);
     point.position.y = y_.read(at(k), 0.0F);
     point.position.z = z_.read(at(k), 0.0F);
-    const auto colour = rgb_.read(at(k), WATER_BLUE);
+    const auto colour = rgb_.read(at(k), kWaterBlue);
     const auto part = [&](int shift) {
       return static_cast<float>(colour >> shift & 255U) / 255.0F;
     };

@@ -12,10 +12,10 @@
 namespace ice_ice_baby {
 namespace {
 
-constexpr int COLDEST_C = -30;
-constexpr int WARMEST_C = 40;
-constexpr int WARMEST_WITH_HEAT_C = 150;
-constexpr int AT_REST_MS = 150;
+constexpr int kColdest_c = -30;
+constexpr int kWarmest_c = 40;
+constexpr int kWarmestThermal_c = 150;
+constexpr int kAtRest_ms = 150;
 
 /// Whitish up to the freezing point, at a given fraction of the groove, then from blue to red.
 QString sliderStyle(double freezing) {
@@ -40,7 +40,7 @@ TemperatureControl::TemperatureControl(QWidget* parent)
       choice_(new QComboBox),
       ramp_(new QDoubleSpinBox) {
   slider_->setObjectName("temperature_slider");
-  setWarmest(WARMEST_C);
+  setWarmest(kWarmest_c);
   slider_->setTracking(false);
   slider_->setToolTip("Temperature to reach. Water freezes below 0 °C.");
   in_force_->setObjectName("temperature_in_force");
@@ -55,7 +55,7 @@ TemperatureControl::TemperatureControl(QWidget* parent)
   layOut();
 
   at_rest_.setSingleShot(true);
-  at_rest_.setInterval(AT_REST_MS);
+  at_rest_.setInterval(kAtRest_ms);
   connect(slider_, &QSlider::sliderMoved, this, &TemperatureControl::readOutTarget);
   connect(slider_, &QSlider::valueChanged, this, [this](int celsius) {
     readOutTarget(celsius);
@@ -94,14 +94,14 @@ void TemperatureControl::offerTargets(bool heat, const QStringList& colliders) {
   }
   of_->setVisible(heat);
   choice_->setVisible(heat);
-  setWarmest(heat ? WARMEST_WITH_HEAT_C : WARMEST_C);
+  setWarmest(heat ? kWarmestThermal_c : kWarmest_c);
 }
 
 void TemperatureControl::setWarmest(int celsius) {
-  if (slider_->maximum() == celsius && slider_->minimum() == COLDEST_C) return;
+  if (slider_->maximum() == celsius && slider_->minimum() == kColdest_c) return;
   const QSignalBlocker quiet(slider_);
-  slider_->setRange(COLDEST_C, celsius);
-  slider_->setStyleSheet(sliderStyle(-double(COLDEST_C) / (celsius - COLDEST_C)));
+  slider_->setRange(kColdest_c, celsius);
+  slider_->setStyleSheet(sliderStyle(-double(kColdest_c) / (celsius - kColdest_c)));
 }
 
 QString TemperatureControl::collider() const { return choice_->currentData().toString(); }

@@ -140,16 +140,16 @@ class StateReader {
 
   template <class T>
   void take(T* values, std::size_t count) {
-    require(count <= bytes_.size() / sizeof(T), "it ends within its state");
+    require(count <= bytes_.size() / sizeof(T), "it ends in the middle of its state");
     if (count > 0) std::memcpy(static_cast<void*>(values), bytes_.data(), count * sizeof(T));
     bytes_.remove_prefix(count * sizeof(T));
-    require(allFinite(values, count), "it holds a number that is not finite");
+    require(allFinite(values, count), "it contains a number that is not finite");
   }
 
   std::size_t readLength(std::size_t bytes_each) {
     std::uint64_t length = 0;
     take(&length, 1);
-    require(length <= bytes_.size() / bytes_each, "it holds a list that is longer than itself");
+    require(length <= bytes_.size() / bytes_each, "it contains a list longer than the file");
     return std::size_t(length);
   }
 
@@ -170,7 +170,7 @@ class StateReader {
   void read(bool& value) {
     std::uint8_t byte = 0;
     take(&byte, 1);
-    require(byte <= 1, "it holds a truth that is neither true nor false");
+    require(byte <= 1, "invalid boolean");
     value = byte != 0;
   }
   template <class Real, int kRows, int kCols>

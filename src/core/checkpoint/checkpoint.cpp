@@ -29,7 +29,7 @@ struct Header {
   std::uint32_t version;
   std::uint32_t real_bytes;  ///< precision: 4 or 8
   std::uint64_t state_bytes;
-  std::uint32_t names;  ///< checksum of those of the scene's keys and of reported numbers
+  std::uint32_t names;  ///< checksum of the names of scene keys and reported numbers
   std::uint32_t checksum;
 };
 static_assert(sizeof(Header) == 32 && std::is_trivially_copyable_v<Header>);
@@ -100,16 +100,17 @@ std::unique_ptr<Simulation> simulationFrom(StateReader& reader, int threads) {
   requireMemory(scene, machineMemory_bytes());
   std::uint32_t particles = 0, came = 0;
   reader(particles, came);
-  constexpr std::size_t kLeast_bytes = 9 * sizeof(Real);  // places, velocities, where lists began
+  constexpr std::size_t kLeast_bytes =
+      9 * sizeof(Real);  // positions, velocities, positions of the lists
   const bool fits = particles <= reader.left() / kLeast_bytes;
   const std::uint64_t ever = std::uint64_t(particleCount(scene)) + came;
   if (!fits || particles > ever || ever > kNone) {
-    throw InvalidInput("its state makes no sense: " + std::to_string(particles) +
+    throw InvalidInput("invalid checkpoint: " + std::to_string(particles) +
                        " particles where there have been " + std::to_string(ever));
   }
   auto simulation = std::make_unique<Simulator<Real>>(scene, threads);
   simulation->read(reader, particles, came);
-  if (reader.left() > 0) throw InvalidInput("its state goes on behind its end");
+  if (reader.left() > 0) throw InvalidInput("it contains data after the end of its state");
   return simulation;
 }
 

@@ -1,5 +1,5 @@
-// Bodies of ice and their contacts that were read from a checkpoint, as in restored_state.cpp. What
-// a body is follows from where its members are, so forged bodies are no worse than odd ones.
+// Checks and completes ice bodies and contacts read from a checkpoint, like restored_state.cpp. A
+// body follows from the positions of its members, so a forged body is merely an unusual one.
 #include <cmath>
 
 #include "checkpoint/restored_state.h"
@@ -10,10 +10,10 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Of what is worked out twice, the two may differ by so much of it.
+/// Relative tolerance between a stored value and its recomputation.
 constexpr double kRounding = 1e-6;
 
-/// Of contacts: the shortest substep is 1e-7 s.
+/// Largest multiplier of a contact; the shortest substep is 1e-7 s.
 constexpr double kHardest_kg_m = 1e12;
 constexpr double kShortest_s = 1e-8;
 
@@ -32,7 +32,7 @@ bool isPlacement(const Placement& placement) {
 template <class Real>
 void IceBodies<Real>::restoreBody(const IceBody& body, const Particles<Real>& particles) const {
   const bool placed = isPlacement(body.pose) && isPlacement(body.next) && isPlacement(body.hold);
-  requireSense(placed, "a body that is nowhere");
+  requireValid(placed, "ice body pose out of range");
   Mat3<double> inertia =
       double(body.count()) * ownInertia(body.last - body.first) * Mat3<double>::Identity();
   double radius_m = 0.0;
@@ -40,45 +40,46 @@ void IceBodies<Real>::restoreBody(const IceBody& body, const Particles<Real>& pa
     const Vec3d& arm = offset_[m];
     const Vec3d x = particles.position.at(place_[m]).template cast<double>();
     const double room_m = 0.1 * radius_m_ + 1e-5 * x.norm();
-    requireSense(arm.norm() <= kFurthest_m && (body.pose.at(arm) - x).norm() <= room_m &&
+    requireValid(arm.norm() <= kFurthest_m && (body.pose.at(arm) - x).norm() <= room_m &&
                      (body.next.at(arm) - x).norm() <= room_m && outward_[m].norm() <= 1.01,
-                 "a body beside its members");
+                 "ice body far from its members");
     inertia +=
         particle_kg_ * (arm.squaredNorm() * Mat3<double>::Identity() - arm * arm.transpose());
     radius_m = std::max(radius_m, arm.norm());
   }
   const double mass_kg = particle_kg_ * double(body.count());
   const Mat3<double>& turn = body.next.turn;
-  requireSense(std::abs(body.mass_kg - mass_kg) <= kRounding * mass_kg &&
+  requireValid(std::abs(body.mass_kg - mass_kg) <= kRounding * mass_kg &&
                    std::abs(body.radius_m - radius_m) <= kRounding * radius_m_ &&
                    near(body.inertia, inertia) &&
                    near(body.inertia * body.mobility, Mat3<double>::Identity()) &&
                    near(body.mobility_now, turn * body.mobility * turn.transpose()),
-               "a body with other inertia than its members");
-  requireSense(body.fastest_m_s() <= kFastest_m_s && within(body.speed_m_s, 0, kFastest_m_s) &&
+               "ice body with an inertia that its members do not have");
+  requireValid(body.fastest_m_s() <= kFastest_m_s && within(body.speed_m_s, 0, kFastest_m_s) &&
                    body.still_s >= 0.0,
-               "a body of no possible speed");
+               "ice body speed out of range");
 }
 
 template <class Real>
 void IceBodies<Real>::restore(const Particles<Real>& particles, const Colliders<Real>& colliders) {
   const std::size_t members = place_.size();
-  requireSense(
+  requireValid(
       distinct(place_, particles.size()) && offset_.size() == members && outward_.size() == members,
-      "members of bodies that are no particles");
+      "members that are not particles");
   body_of_.clear();
   for (const IceBody& body : bodies_) {
     const bool follows = body.first == body_of_.size() && body.first < body.surface_last &&
                          body.surface_last <= body.last && body.last <= members;
-    requireSense(follows, "a body of no members");
-    requireSense(belowOrNone(body.anchor, colliders.count()), "a body that no collider carries");
-    requireSense(belowOrNone(body.island, bodies_.size()), "a body beside none");
+    requireValid(follows, "ice body without members");
+    requireValid(belowOrNone(body.anchor, colliders.count()),
+                 "ice body anchored to an unknown collider");
+    requireValid(belowOrNone(body.island, bodies_.size()), "ice body in an unknown group");
     restoreBody(body, particles);
     body_of_.resize(body.last, static_cast<Index>(&body - bodies_.data()));
   }
-  requireSense(body_of_.size() == members, "members of no body");
+  requireValid(body_of_.size() == members, "members of an unknown ice body");
   for (const Index member : renumbered_) {
-    requireSense(belowOrNone(member, members), "a member with a number that does not exist");
+    requireValid(belowOrNone(member, members), "unknown member number");
   }
   member_at_.assign(particles.size(), kNone);
   for (Index m = 0; m < members; ++m) member_at_[place_[m]] = m;
@@ -90,8 +91,8 @@ void IceContacts<Real>::restore(const IceBodies<Real>& bodies) const {
   // Contacts may be those of the members before the latest change: followMembers renumbers them.
   const bool follows = generation_ + 1 == bodies.generation();
   const bool known = follows || generation_ == bodies.generation();
-  requireSense(dt_s_ == 0.0 || within(dt_s_, kShortest_s, 1.0), "a substep that cannot be");
-  requireSense(known, "contacts of bodies that are gone");
+  requireValid(dt_s_ == 0.0 || within(dt_s_, kShortest_s, 1.0), "substep out of range");
+  requireValid(known, "contact of removed ice bodies");
   const std::size_t members = follows ? bodies.renumbered().size() : bodies.members();
   const auto touches = [&](Index body, Index member) {
     return member < members && (follows || body == bodies.bodyOfMember(member));
@@ -100,14 +101,14 @@ void IceContacts<Real>::restore(const IceBodies<Real>& bodies) const {
     for (const Contact& contact : *contacts) {
       const bool alone = contact.b == kNone && contact.member_b == kNone;
       const bool other = alone || touches(contact.b, contact.member_b);
-      requireSense(touches(contact.a, contact.member_a) && other, "a contact of no bodies");
-      requireSense(within(contact.normal_multiplier, 0.0, kHardest_kg_m) &&
+      requireValid(touches(contact.a, contact.member_a) && other, "contact of unknown ice bodies");
+      requireValid(within(contact.normal_multiplier, 0.0, kHardest_kg_m) &&
                        contact.friction_multiplier.cwiseAbs().maxCoeff() <= kHardest_kg_m,
-                   "a contact that presses as hard as nothing can");
+                   "contact force out of range");
     }
   }
   for (const Candidate& candidate : candidates_) {
-    requireSense(candidate.a < members && candidate.b < members, "members near to none");
+    requireValid(candidate.a < members && candidate.b < members, "pair of unknown members");
   }
 }
 

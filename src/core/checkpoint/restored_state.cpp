@@ -1,6 +1,5 @@
-// State that was read from a checkpoint: refused where it makes no sense, and completed by what
-// follows from it. Bytes may come from anywhere, so nothing is an index before it is held to its
-// range here.
+// Checks state read from a checkpoint, and computes what is not stored. The bytes are untrusted, so
+// every index is checked against its range here before it is used.
 #include "checkpoint/restored_state.h"
 
 #include <algorithm>
@@ -11,10 +10,10 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Of densities, and of what keeps them, m^2.
+/// Largest density, and largest multiplier, m^2.
 constexpr double kMost = 1e30;
 
-/// Heat and changes of phase wait no longer, s.
+/// Longest delay of thermal passes and updates of phases, s.
 constexpr double kLongestWait_s = 1.0;
 
 constexpr double kLongestRamp_s = 1e6;
@@ -41,23 +40,24 @@ void Particles<Real>::restore(std::size_t count) {
   std::vector<std::uint32_t> sorted = id;
   std::sort(sorted.begin(), sorted.end());
   const bool once = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
-  requireSense(id.size() == count && once && (count == 0 || sorted.back() < next_id),
-               "not every particle is there once");
-  requireSense(holds(position, count) && holds(velocity, count), "particles without a place");
-  requireSense(noFurther(position, kFurthest_m), "particles out of reach");
-  requireSense(noFurther(velocity, kFastest_m_s), "particles of no possible speed");
+  requireValid(id.size() == count && once && (count == 0 || sorted.back() < next_id),
+               "particle ids not unique");
+  requireValid(holds(position, count) && holds(velocity, count),
+               "particle arrays of different lengths");
+  requireValid(noFurther(position, kFurthest_m), "particle position out of range");
+  requireValid(noFurther(velocity, kFastest_m_s), "particle speed out of range");
   predicted = position;
 }
 
 template <class Real>
 void DensityConstraint<Real>::restore(std::size_t particles) {
   const std::size_t started = warmStarts() ? particles : 0;
-  requireSense(density_.size() == particles && multiplier_.size() == particles &&
+  requireValid(density_.size() == particles && multiplier_.size() == particles &&
                    holds(correction_, started),
-               "densities of other particles");
-  requireSense(allWithin(density_, -kMost, kMost) && allWithin(multiplier_, -kMost, kMost) &&
+               "densities of a different number of particles");
+  requireValid(allWithin(density_, -kMost, kMost) && allWithin(multiplier_, -kMost, kMost) &&
                    noFurther(correction_, kFurthest_m),
-               "densities that cannot be");
+               "density out of range");
   resize(particles);
 }
 
@@ -67,12 +67,13 @@ void Neighbours<Real>::restore(std::size_t particles) {
     count_.clear();
     return;
   }
-  requireSense(holds(built_at_, particles + kPadding) && builds_ > 0, "lists of other particles");
+  requireValid(holds(built_at_, particles + kPadding) && builds_ > 0,
+               "neighbour lists of other particles");
   VectorField<Real> where = built_at_;
   where.resize(particles);
   const std::size_t builds = builds_;
   const std::vector<Index>& order = sortOrder(where);
-  requireSense(std::is_sorted(order.begin(), order.end()), "particles that are not sorted by cell");
+  requireValid(std::is_sorted(order.begin(), order.end()), "particles not sorted by cell");
   build(where);
   builds_ = builds;
 }
@@ -88,15 +89,16 @@ void Colliders<Real>::restore() const {
   const bool travels = std::all_of(travels_.begin(), travels_.end(), [&](const Travel& travel) {
     return possible(travel.start) && possible(travel.target);
   });
-  requireSense(travels && motions, "a collider that is nowhere");
+  requireValid(travels && motions, "collider pose out of range");
 }
 
 template <class Real>
 void Springs<Real>::restore(std::size_t particles) const {
-  requireSense(sheet_count_ <= springs_.size(), "sheets of more springs than there are");
+  requireValid(sheet_count_ <= springs_.size(), "more sheet springs than springs");
   for (const Spring<Real>& spring : springs_) {
-    requireSense(spring.a < particles && spring.b < particles, "a spring that joins no particles");
-    requireSense(within(double(spring.rest_m), 0.0, kMaxCoordinate_m), "a spring of no length");
+    requireValid(spring.a < particles && spring.b < particles, "spring between unknown particles");
+    requireValid(within(double(spring.rest_m), 0.0, kMaxCoordinate_m),
+                 "spring length out of range");
   }
 }
 
@@ -104,36 +106,36 @@ void Temperature::restore() const {
   const auto possible = [](const TemperatureEvent& event) {
     return isTemperature(event.celsius) && within(event.ramp_s, 0.0, kLongestRamp_s);
   };
-  requireSense(isTemperature(celsius_) && isTemperature(from_c_) && isTemperature(target_c_) &&
+  requireValid(isTemperature(celsius_) && isTemperature(from_c_) && isTemperature(target_c_) &&
                    within(ramp_s_, 0.0, kLongestRamp_s) &&
                    std::all_of(schedule_.begin(), schedule_.end(), possible),
-               "a temperature that nothing can have");
+               "temperature out of range");
 }
 
 template <class Real>
 void ThermalBoundaries<Real>::restore() const {
   for (const Surface& one : surfaces_) {
-    requireSense(isTemperature(one.celsius) && isTemperature(one.target_c) &&
+    requireValid(isTemperature(one.celsius) && isTemperature(one.target_c) &&
                      within(one.ramp_left_s, 0.0, kLongestRamp_s),
-                 "a wall of a temperature that nothing can have");
+                 "surface temperature out of range");
   }
 }
 
 void HeatedRegions::restore(const Scene& scene) const {
-  requireSense(active_.size() <= kMaxHeatedRegions, "too many heated regions");
+  requireValid(active_.size() <= kMaxHeatedRegions, "too many heated regions");
   for (const HeatedRegion& region : active_) requireHeatedRegion(scene, region);
 }
 
 template <class Real>
 void ThermalSolver<Real>::restore(std::size_t particles, const Scene& scene) const {
-  requireSense(enthalpy_.size() == particles && received_.size() == particles,
-               "heat of other particles");
+  requireValid(enthalpy_.size() == particles && received_.size() == particles,
+               "temperatures of a different number of particles");
   const bool possible = std::all_of(enthalpy_.begin(), enthalpy_.end(), [&](double enthalpy_j_kg) {
     return curve_.clampToRange(enthalpy_j_kg) == enthalpy_j_kg;
   });
-  requireSense(possible && allWithin(received_, -kMost, kMost), "water hotter or colder than any");
-  requireSense(within(passes_, 0, kMostPasses) && longest_pass_s_ >= 0.0 && reached_speedup_ >= 0.0,
-               "heat that flows at no possible rate");
+  requireValid(possible && allWithin(received_, -kMost, kMost), "enthalpy out of range");
+  requireValid(within(passes_, 0, kMostPasses) && longest_pass_s_ >= 0.0 && reached_speedup_ >= 0.0,
+               "thermal pass out of range");
   walls_.restore();
   regions_.restore(scene);
 }
@@ -142,18 +144,18 @@ template <class Real>
 void Phases<Real>::restore(std::size_t particles, std::size_t colliders) {
   for (const std::size_t size : {phase_.size(), relative_volume_.size(), target_volume_.size(),
                                  slush_.size(), wet_.size(), pressed_.size(), stuck_to_.size()}) {
-    requireSense(size == particles, "phases of other particles");
+    requireValid(size == particles, "phases of a different number of particles");
   }
   ice_count_ = steam_count_ = 0;
   for (auto* flags : {&steam_, &flows_, &new_ice_}) flags->assign(particles, 0);
   for (std::size_t i = 0; i < particles; ++i) {
-    requireSense(phase_[i] <= Phase::kSteam, "a phase that does not exist");
-    requireSense(belowOrNone(stuck_to_[i], colliders), "ice that sticks to no collider");
-    // Nothing is less or more dense than water by more than a factor of two, but for steam.
-    requireSense(within(double(relative_volume_[i]), 0.0, 2.0) &&
+    requireValid(phase_[i] <= Phase::kSteam, "unknown phase");
+    requireValid(belowOrNone(stuck_to_[i], colliders), "ice frozen to an unknown collider");
+    // Except for steam, densities differ from that of water by a factor of two at most.
+    requireValid(within(double(relative_volume_[i]), 0.0, 2.0) &&
                      within(double(target_volume_[i]), 0.0, 2.0) &&
                      within(double(slush_[i]), 0.0, 1.0),
-                 "a phase of no possible volume");
+                 "relative volume out of range");
     ice_count_ += phase_[i] == Phase::kIce;
     steam_count_ += phase_[i] == Phase::kSteam;
     steam_[i] = phase_[i] == Phase::kSteam;
@@ -166,11 +168,11 @@ void PhaseChange<Real>::restore(const Particles<Real>& particles) {
   heat_.restore(particles.size(), scene_);
   phases_.restore(particles.size(), colliders_.count());
   updateSteam();
-  requireSense(bodies_.has_value() == contacts_.has_value() && (rigid() || !bodies_),
-               "bodies of ice where there can be none");
-  requireSense(
+  requireValid(bodies_.has_value() == contacts_.has_value() && (rigid() || !bodies_),
+               "ice bodies in a scene without rigid ice");
+  requireValid(
       within(heat_due_s_, 0.0, kLongestWait_s) && within(phases_due_s_, 0.0, kLongestWait_s),
-      "heat that waits too long");
+      "delay of thermal passes out of range");
   if (!bodies_) return;
   bodies_->restore(particles, colliders_);
   contacts_->restore(*bodies_);
@@ -181,10 +183,10 @@ void Simulator<Real>::restore(std::size_t n) {
   particles_.restore(n);
   fluid_->restore(n);
   colliders_.restore();
-  requireSense(substeps_ >= 1 && substeps_ <= 1000, "a number of substeps that cannot be");
-  requireSense(within(strictness_, 0.0, 1.0), "ice that is more than frozen");
-  requireSense(still_s_ >= 0.0 && report_.time_s >= 0.0 && within(report_.substeps, 0, 1000),
-               "a time that cannot be");
+  requireValid(substeps_ >= 1 && substeps_ <= 1000, "number of substeps out of range");
+  requireValid(within(strictness_, 0.0, 1.0), "strictness out of range");
+  requireValid(still_s_ >= 0.0 && report_.time_s >= 0.0 && within(report_.substeps, 0, 1000),
+               "time out of range");
   temperature_.restore();
   report_.particles = n;
   report_.springs = springs_ ? springs_->size() : 0;

@@ -1,4 +1,4 @@
-// What is asked of state that was read from a checkpoint.
+// Checks for state that was read from a checkpoint.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace ice_ice_baby {
 
-/// Far beyond what any run reaches, and so near that nothing worked out from it overflows a float.
+/// Far beyond the values of any run, and small enough that nothing computed from it overflows.
 constexpr double kFurthest_m = 1e12;
 constexpr double kFastest_m_s = 1e8;
 
-inline void requireSense(bool sense, const char* what) {
-  if (!sense) throw InvalidInput(std::string("its state makes no sense: ") + what);
+inline void requireValid(bool valid, const char* what) {
+  if (!valid) throw InvalidInput(std::string("invalid checkpoint: ") + what);
 }
 
 inline bool within(double value, double low, double high) { return value >= low && value <= high; }
@@ -26,7 +26,7 @@ bool allWithin(const std::vector<Real>& values, double low, double high) {
                      [&](Real value) { return within(double(value), low, high); });
 }
 
-/// Whether every index is below `count` and none stands twice.
+/// Whether every index is below `count` and none occurs twice.
 inline bool distinct(const std::vector<Index>& indices, std::size_t count) {
   std::vector<char> seen(count, false);
   return std::all_of(indices.begin(), indices.end(), [&](Index i) {

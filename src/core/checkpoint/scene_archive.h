@@ -1,4 +1,4 @@
-// A scene in an archive: every key of scene_keys.h, to the last bit.
+// A scene in an archive: every key of scene_keys.h, bit for bit.
 #pragma once
 
 #include "ice_ice_baby/scene_keys.h"
@@ -25,7 +25,7 @@ class SceneArchive {
   }
   template <class Item>
   void list(const char*, std::vector<Item>& items, const char*) const {
-    // describe asks for what it could change; a writer does not.
+    // describe takes a mutable scene, although a writer does not change it.
     archive_.list(items, [&](const Item& item) { describe(const_cast<Item&>(item), *this); });
   }
 

@@ -1,4 +1,4 @@
-// All state of a simulator as one list, and what is made of it: bytes, their hash, the way back.
+// Lists all state of a simulator, and writes, hashes and restores it.
 #include <cstdint>
 
 #include "checkpoint/restored_state.h"
@@ -9,7 +9,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// What stands in the place of PhaseChange where the scene has no heat.
+/// Written in place of PhaseChange if the scene is not thermal.
 struct NoPhaseChange {
   bool bodies = false, contacts = false;
   double heat_due_s = 0.0, phases_due_s = 0.0;
@@ -23,14 +23,14 @@ struct NoPhaseChange {
     archive(self.heat_due_s, self.phases_due_s);
   }
   void restore() const {
-    requireSense(!bodies && !contacts, "bodies of ice where there can be none");
-    requireSense(heat_due_s == 0.0 && phases_due_s == 0.0, "heat where there can be none");
+    requireValid(!bodies && !contacts, "ice bodies in a scene without rigid ice");
+    requireValid(heat_due_s == 0.0 && phases_due_s == 0.0, "temperatures in a scene without heat");
   }
 };
 
 }  // namespace
 
-/// All that decides on the frames to come, but for the scene.
+/// All state that determines future frames, except the scene.
 template <class Real>
 template <class Self, class Archive>
 void Simulator<Real>::exchange(Self& self, Archive& archive) {

@@ -6,7 +6,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Axis, side and path fraction at which a path enters a box; fraction 2 when it does not.
+/// Axis, side and path fraction at which a path enters a box; fraction 2 if it does not.
 template <class Real>
 struct Entry {
   int axis = 2;

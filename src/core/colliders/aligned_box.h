@@ -1,4 +1,4 @@
-// Boxes along the axes of a collider's own frame, of which containers and plates are made.
+// Axis-aligned boxes in the frame of a collider, the parts of containers and plates.
 #pragma once
 
 #include "ice_ice_baby/types.h"
@@ -13,7 +13,7 @@ struct AlignedBox {
   bool holds(const Vec3<Real>& point) const {
     return (point.array() > low.array()).all() && (point.array() < high.array()).all();
   }
-  /// Whether both ends of a path lie within the box, further than `margin` from its sides.
+  /// Whether both ends of a path lie inside the box, farther than `margin` from its sides.
   std::uint32_t holdsPath(const Vec3<Real>& from, const Vec3<Real>& to, Real margin) const {
     std::uint32_t inside = 1;
     for (int axis = 0; axis < 3; ++axis) {
@@ -33,7 +33,7 @@ struct AlignedBox {
     }
     return beyond;
   }
-  /// How far from the origin its furthest corner is.
+  /// Distance of its farthest corner from the origin.
   double reach() const { return double(low.cwiseAbs().cwiseMax(high.cwiseAbs()).norm()); }
 
   template <class Other>
@@ -42,7 +42,7 @@ struct AlignedBox {
   }
 };
 
-/// Keeps a path outside a solid box: it slides along the face by which it would enter.
+/// Keeps a path outside a solid box: it slides along the face through which it would enter.
 template <class Real>
 Vec3<Real> keepOutside(const AlignedBox<Real>& box, const Vec3<Real>& from, const Vec3<Real>& to);
 

@@ -6,7 +6,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// `count` values, and the last of them again up to the end of the tile.
+/// Copies `count` values and repeats the last one up to the end of the tile.
 template <class Real>
 void load(const std::vector<Real>& values, const std::vector<Real>* by, std::size_t first,
           std::size_t count, std::array<Real, kClearanceTile>& out) {

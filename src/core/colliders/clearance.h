@@ -1,5 +1,5 @@
-// Which paths no collider can touch: nearly all of them, found many at a time, so that the exact
-// geometry is asked only near walls.
+// Finds paths that no collider can touch, many at a time. Most paths are clear, so the exact
+// geometry is only evaluated near walls.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ struct Paths {
   const VectorField<Real>* by = nullptr;
 };
 
-/// For particles first ... first + count - 1, whether the path surely stays further than `margin_m`
-/// from where any collider would stop it. Cautious: a path that is not clear may yet be free.
+/// For particles first ... first + count - 1, whether the path certainly stays farther than
+/// `margin_m` from every collider. Conservative: a path that is not clear may still be free.
 /// @param count 1 ... kClearanceTile
 template <class Real>
 ClearMask clearPaths(const Colliders<Real>& colliders, const Paths<Real>& paths, Real margin_m,

@@ -4,7 +4,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Pose with a rotation that is one to the last bit, as forces along its axes are to be.
+/// Pose with the rotation normalised in double precision, so that its axes are exact directions.
 template <class Real>
 Posed exact(const Pose<Real>& pose) {
   Posed in_double = pose.template cast<double>();

@@ -1,4 +1,4 @@
-// Faces of colliders one by one, for bodies that rest on several at once.
+// Single faces of colliders, for bodies that rest on several at once.
 #pragma once
 
 #include <array>
@@ -8,10 +8,10 @@
 
 namespace ice_ice_baby {
 
-/// The colliders in double, with the same numbers.
+/// The colliders in double precision, with the same indices.
 class ColliderFaces {
  public:
-  /// Takes over where the colliders are in this substep.
+  /// Copies the poses of the colliders in this substep.
   template <class Real>
   void take(const Colliders<Real>& colliders);
 
@@ -21,14 +21,14 @@ class ColliderFaces {
   bool moves(std::size_t k) const { return all_[k].moves; }
   bool hollow(std::size_t k) const { return all_[k].shape.hollow(); }
 
-  /// Whether points that stay within `radius_m` of a path may come near.
+  /// Whether points within `radius_m` of a path may come near the collider.
   bool near(std::size_t k, const Vec3d& from, const Vec3d& to, double radius_m) const;
 
-  /// How far and where to a path that ends in the collider is pushed out of it.
+  /// Displacement that moves the end of a path out of the collider.
   Vec3d push(std::size_t k, const Vec3d& from, const Vec3d& to) const;
 
-  /// Faces that a path from `from` to `to` passes or ends nearer to than `margin_m`.
-  /// @return how many
+  /// Faces that a path from `from` to `to` crosses, or ends closer to than `margin_m`.
+  /// @return number of faces
   std::size_t find(std::size_t k, const Vec3d& from, const Vec3d& to, double margin_m,
                    std::array<Face, 6>& faces) const;
 

@@ -1,4 +1,4 @@
-// Where a path ends that meets one collider, or several at once.
+// End of a path that touches one collider or several at once.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,19 +9,20 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// A later collider may push into an earlier one: in a wedge each pass halves what is left.
+/// Maximum number of passes. A later collider may push into an earlier one; in a wedge each pass
+/// halves the remaining overlap.
 constexpr int kMaxPasses = 16;
 
-/// Pushes shorter than this, in radii, are not worth another pass.
+/// Pushes shorter than this, in radii, need no further pass.
 constexpr double kAtRest_r = 1e-4;
 
-/// Pushes longer than this, in radii, after the last pass mean that there is no room.
+/// Pushes longer than this, in radii, after the last pass mean that there is no free space.
 constexpr double kTrapped_r = 1e-2;
 
-/// A path that goes deeper than this, in radii, through a round shape, is not one round it.
+/// A path that cuts deeper than this, in radii, through a round shape does not slide around it.
 constexpr double kCut_r = 0.1;
 
-/// Free places are looked for at distances of half a radius and its doubles, up to 128 radii.
+/// Free positions are searched at distances from half a radius, doubling, up to 128 radii.
 constexpr int kShells = 9;
 
 /// Nearest allowed end of a path that slides without friction.
@@ -32,7 +33,7 @@ Vec3<Real> slide(const MovingShape<Real>& body, const Vec3<Real>& from, const Ve
   return allowed == wanted ? to : body.motion.to.toWorld(allowed);
 }
 
-/// Nearest allowed end of a path, with the tangential part of its motion reduced by friction.
+/// Nearest allowed end of a path, with its tangential motion reduced by friction.
 template <class Real>
 Vec3<Real> contact(const MovingShape<Real>& body, const Vec3<Real>& from, const Vec3<Real>& to,
                    bool stick) {
@@ -85,8 +86,8 @@ Vec3<Real> Colliders<Real>::respond(const Vec3<Real>& from, const Vec3<Real>& to
   return slideFree(from, end) ? end : nearestFree(from, end);
 }
 
-/// Whether a path goes through a round shape. One is slid around, but what several push may thread
-/// a gap between them that is too narrow.
+/// Whether a path passes through a round shape. A particle slides around a single one, but several
+/// could push it through a gap between them that is too narrow.
 template <class Real>
 bool Colliders<Real>::cutsRound(const Vec3<Real>& from, const Vec3<Real>& to) const {
   return std::any_of(begin(), end(), [&](const MovingShape<Real>& body) {
@@ -96,7 +97,7 @@ bool Colliders<Real>::cutsRound(const Vec3<Real>& from, const Vec3<Real>& to) co
   });
 }
 
-/// Passes without friction until no collider pushes any more. @return whether there is room
+/// Repeats passes without friction until no collider pushes. @return whether there is free space
 template <class Real>
 bool Colliders<Real>::slideFree(const Vec3<Real>& from, Vec3<Real>& end) const {
   const auto push = [&](const MovingShape<Real>& body, const Vec3<Real>& wanted) {
@@ -105,7 +106,7 @@ bool Colliders<Real>::slideFree(const Vec3<Real>& from, Vec3<Real>& end) const {
   return pushFree(push, end) && !cutsRound(from, end);
 }
 
-/// The same by any way round what is round.
+/// The same, sliding around round shapes in any direction.
 template <class Real>
 bool Colliders<Real>::slideFreeAnyWay(const Vec3<Real>& from, Vec3<Real>& end) const {
   const auto push = [&](const MovingShape<Real>& body, const Vec3<Real>& wanted) {
@@ -127,7 +128,7 @@ bool Colliders<Real>::pushFree(const Push& push, Vec3<Real>& end) const {
   return false;
 }
 
-/// Part of the way, or none of it, or, where a collider moved in, a place beside it.
+/// Part of the path, or its start, or a position beside a collider that moved there.
 template <class Real>
 Vec3<Real> Colliders<Real>::nearestFree(const Vec3<Real>& from, const Vec3<Real>& end) const {
   for (const double share : {0.5, 0.25, 0.0}) {

@@ -24,7 +24,7 @@ Posed between(const Posed& a, const Posed& b, double fraction) {
 
 }  // namespace
 
-/// Those of later lists push first, so that containers have the last word.
+/// Later lists push first, so that containers take precedence.
 template <class Real>
 Colliders<Real>::Colliders(const Scene& scene, double radius_m)
     : radius_m_(static_cast<Real>(radius_m)) {

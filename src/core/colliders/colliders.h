@@ -27,7 +27,7 @@ struct MovingShape {
   Pose<Real> placed;  ///< pose in the scene file
 };
 
-/// Colliders are numbered in the order of forEachCollider.
+/// Colliders are indexed in the order of forEachCollider.
 template <class Real>
 class Colliders {
  public:

@@ -29,7 +29,7 @@ ContainerShape<Real> makeShape(const Container& c, double radius_m) {
   const Vec3d wall = Vec3d::Constant(c.wall_m);
   ContainerShape<Real> shape;
   shape.radius = static_cast<Real>(radius_m);
-  // A box narrower than a particle keeps its middle plane.
+  // A box narrower than a particle shrinks to its middle plane.
   shape.inner.low = (-half + r).cwiseMin((high - half) / 2).template cast<Real>();
   shape.inner.high = (high - r).cwiseMax((high - half) / 2).template cast<Real>();
   shape.outer.low = (-half - wall - r).template cast<Real>();
@@ -44,8 +44,8 @@ ContainerShape<Real> makeShape(const Container& c, double radius_m) {
   return shape;
 }
 
-/// Whether a point within an open container's wall is nearer to its rim than to its sides. Rounding
-/// puts what lies on the rim a hair below it: that is neither inside nor outside.
+/// Whether a point inside the wall of an open container is nearer to the rim than to the sides.
+/// Rounding puts particles on the rim slightly below it, where they are neither inside nor outside.
 template <class Real>
 bool ContainerShape<Real>::onRim(const Vec3<Real>& point) const {
   const Real below = inner.high.z() - point.z();
@@ -65,11 +65,11 @@ Vec3<Real> ContainerShape<Real>::resolve(const Vec3<Real>& from, const Vec3<Real
         open_top && to.z() > rim_z && withinSides(middle, pathAtHeight(from, to, rim_z));
     if (leaves) return to;
     Vec3<Real> kept = to.cwiseMax(inner.low).cwiseMin(inner.high);
-    // A wall hit below the open mouth stops the sideways motion, not the rise.
+    // A wall hit below the open top stops the sideways motion, not the rise.
     if (open_top) kept.z() = std::max(to.z(), inner.low.z());
     return kept;
   }
-  // What comes down on the wall lands on its rim: a jump to its side would be a speed of its own.
+  // A particle that falls onto the wall lands on its rim; moving it to a side would add velocity.
   if (open_top && from.z() >= rim_z && to.z() < rim_z &&
       withinSides(inner, pathAtHeight(from, to, rim_z))) {
     return to.cwiseMax(inner.low).cwiseMin(inner.high);
@@ -128,7 +128,8 @@ void ContainerShape<Real>::faces(const PushedPath& path, FaceCollector& faces) c
     if (path.free()) faces.addFaceBelow(outer.template cast<double>());
     return;
   }
-  // What passes the open mouth is beside no wall any more, unless it was pushed back.
+  // A particle that leaves through the open top is no longer beside a wall, unless it was pushed
+  // back.
   if (open_top && path.to.z() > inside.high.z() && path.free()) return;
   for (int axis = 0; axis < 3; ++axis) {
     faces.addAxis(axis, inside.low[axis], true);

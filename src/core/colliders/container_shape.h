@@ -1,4 +1,4 @@
-// Boxes that hold water.
+// Containers: boxes that hold water.
 #pragma once
 
 #include "colliders/face_collector.h"
@@ -9,8 +9,8 @@ namespace ice_ice_baby {
 
 /// Container in its own frame: floor of the inner box at z = 0, rim at inner.high.z.
 /// `inner` is shrunk and `outer` grown by the particle radius, so both bound particle centres.
-/// `middle` runs within the walls: on which side of it a centre lies tells on which side of the
-/// wall it belongs, also when rounding has put it a hair into the wall.
+/// `middle` lies inside the walls. The side of it on which a centre lies decides to which side of
+/// the wall it belongs, even if rounding has moved it slightly into the wall.
 template <class Real>
 struct ContainerShape : ShapeBasis<Real> {
   AlignedBox<Real> inner;
@@ -18,11 +18,11 @@ struct ContainerShape : ShapeBasis<Real> {
   AlignedBox<Real> middle;
   bool open_top;
 
-  /// What was inside stays inside unless it passes the open mouth, what was outside stays outside
-  /// unless it enters by the mouth.
+  /// Particles inside stay inside unless they leave through the open top; particles outside stay
+  /// outside unless they enter through it.
   Vec3<Real> resolve(const Vec3<Real>& from, const Vec3<Real>& to) const;
 
-  /// Inner walls, for a point inside; none for a point outside.
+  /// Inner walls for a point inside; empty for a point outside.
   NearSurfaces<Real> near(const Vec3<Real>& point, Real reach_m) const;
 
   std::uint32_t clear(const Vec3<Real>& from, const Vec3<Real>& to, Real margin_m) const {

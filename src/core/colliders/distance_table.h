@@ -1,4 +1,4 @@
-// A function of the distance to a surface, tabulated.
+// Tabulated function of the distance to a surface.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace ice_ice_baby {
 
-/// Tabulated from 0 to a reach, 0 beyond.
+/// Tabulated from 0 to a maximum distance; 0 beyond.
 template <class Real>
 class DistanceTable {
  public:
@@ -24,7 +24,7 @@ class DistanceTable {
     values_.push_back(0);
   }
 
-  /// Value and slope at a distance, which counts as 0 when negative.
+  /// Value and slope at a distance; negative distances count as 0.
   std::pair<Real, Real> at(Real distance_m) const {
     const Real place = std::max(distance_m, Real(0)) * per_m_;
     if (!(place < kSize)) return {0, 0};

@@ -1,4 +1,4 @@
-// Planes that the end of a path may not pass: what bodies of ice rest on.
+// Collects the planes that the end of a path may not cross, on which ice bodies rest.
 #pragma once
 
 #include <array>
@@ -8,16 +8,16 @@
 
 namespace ice_ice_baby {
 
-/// Plane that the end of a path may not pass, in the scene frame at the end of the substep.
+/// Plane that the end of a path may not cross, in the scene frame at the end of the substep.
 struct Face {
-  Vec3d normal;     ///< towards where the point may be
+  Vec3d normal;     ///< towards the allowed side
   Vec3d point;      ///< on the plane
-  double gap_m;     ///< of the end of the path; negative: so deep
-  double before_m;  ///< of its start, against the collider at the start
-  Index number;     ///< 0 ... 5, tells faces of one collider apart
+  double gap_m;     ///< distance of the end of the path; negative: penetration
+  double before_m;  ///< distance of its start from the collider at that time
+  Index number;     ///< 0 ... 5, identifies the face of a collider
 };
 
-/// Path in the frame of a shape, and how its end is pushed out of it.
+/// Path in the frame of a shape, and the displacement that moves its end out of the shape.
 struct PushedPath {
   Vec3d from;
   Vec3d to;
@@ -26,7 +26,7 @@ struct PushedPath {
   bool free() const { return push.isZero(0); }
 };
 
-/// Collects faces of one collider in its own frame and hands them out in the scene's.
+/// Collects faces of one collider in its frame and returns them in the scene frame.
 class FaceCollector {
  public:
   FaceCollector(const Motion<double>& motion, const PushedPath& path, double margin_m,
@@ -36,10 +36,10 @@ class FaceCollector {
   /// @param height of the plane along its normal
   void add(const Vec3d& normal, double height, Index number = 0);
   void addAxis(int axis, double value, bool upwards);
-  /// Faces by which a box pushed, axis by axis.
+  /// Adds the faces of a box that pushed, axis by axis.
   void addPush();
-  /// The face of a solid box that a point outside it is above. Beside an edge there is none: a
-  /// plane would stop there what only passes by.
+  /// Adds the face of a solid box that a point is above. Beside an edge there is none, because a
+  /// plane would stop bodies that only pass by.
   void addFaceBelow(const AlignedBox<double>& box);
 
   std::size_t count() const { return count_; }

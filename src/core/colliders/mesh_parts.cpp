@@ -6,7 +6,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Four corners counterclockwise seen from outside.
+/// Four corners, counterclockwise from outside.
 void addQuad(ColliderMesh& mesh, Index a, Index b, Index c, Index d) {
   mesh.triangles.push_back({a, b, c});
   mesh.triangles.push_back({a, c, d});

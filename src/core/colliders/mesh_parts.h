@@ -1,4 +1,4 @@
-// Parts of which the meshes of shapes are made.
+// Building blocks for meshes of shapes.
 #pragma once
 
 #include "colliders/aligned_box.h"
@@ -6,7 +6,7 @@
 
 namespace ice_ice_baby {
 
-/// Which sides of a box are drawn, and as seen from where.
+/// Selects the sides of a box to draw and their orientation.
 struct BoxSides {
   bool from_inside = false;
   bool top = true;
@@ -18,10 +18,10 @@ Index addBox(ColliderMesh& mesh, const AlignedBox<double>& box, const BoxSides& 
 /// Adds the twelve edges of a box whose first vertex is `first`.
 void addBoxEdges(ColliderMesh& mesh, Index first);
 
-/// Joins the tops of two boxes, one around the other, that lack theirs.
+/// Connects the open tops of two nested boxes.
 void addRing(ColliderMesh& mesh, Index inner, Index outer);
 
-/// Adds a whole ellipsoid about the origin and notes its half axes.
+/// Adds an ellipsoid about the origin and stores its semi-axes.
 /// @param segments around z
 void addEllipsoid(ColliderMesh& mesh, const Vec3d& half_axes_m, std::size_t segments);
 

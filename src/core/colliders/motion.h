@@ -1,4 +1,4 @@
-// How a collider moves in a substep.
+// Motion of a collider in a substep.
 #pragma once
 
 #include "ice_ice_baby/types.h"

@@ -1,4 +1,4 @@
-// Many paths side by side, which the compiler makes vectors of.
+// A tile of paths as a structure of arrays, so that the compiler vectorises loops over them.
 #pragma once
 
 #include <array>
@@ -7,11 +7,11 @@
 
 namespace ice_ice_baby {
 
-/// So many paths are looked at together.
+/// Number of paths in a tile.
 constexpr std::size_t kClearanceTile = 64;
 using ClearMask = std::array<std::uint32_t, kClearanceTile>;
 
-/// Points side by side.
+/// The points of a tile.
 template <class Real>
 struct PointTile {
   std::array<Real, kClearanceTile> x, y, z;
@@ -19,7 +19,7 @@ struct PointTile {
   Vec3<Real> at(std::size_t k) const { return {x[k], y[k], z[k]}; }
 };
 
-/// Paths in the frame of a shape, and how far they should stay from where it would stop them.
+/// The paths of a tile in the frame of a shape, and the distance that they should keep from it.
 template <class Real>
 struct PathTile {
   PointTile<Real> from;

@@ -16,7 +16,7 @@ struct PlaneShape : ShapeBasis<Real> {
 
   Vec3<Real> resolve(const Vec3<Real>& from, const Vec3<Real>& to) const;
 
-  /// The ground or the top of the plate, for a point above it; none beneath or beside it.
+  /// The ground or the top of the plate, for a point above it; empty below or beside it.
   NearSurfaces<Real> near(const Vec3<Real>& point, Real reach_m) const;
 
   std::uint32_t clear(const Vec3<Real>& from, const Vec3<Real>& to, Real margin_m) const {

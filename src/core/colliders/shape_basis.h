@@ -12,9 +12,9 @@ namespace ice_ice_baby {
 /// A surface near a point, in the frame of the shape.
 template <class Real>
 struct NearSurface {
-  Real gap;            ///< from the point to where the centre of a particle touches, m
-  Real distance;       ///< from the point to the surface itself, m; negative within the solid
-  Vec3<Real> normal;   ///< out of the solid, of length 1
+  Real gap;            ///< from the point to the position of a touching particle, m
+  Real distance;       ///< from the point to the surface, m; negative inside the solid
+  Vec3<Real> normal;   ///< outward unit normal
   Real flatness;       ///< radius of curvature / distance from its centre; 1: flat
   int axis;            ///< surfaces of a shape with different axes meet at right angles
   Vec3<Real> resting;  ///< position of a particle centre at rest on a flat surface

@@ -6,7 +6,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Point at which a path first touches a ball around the origin; zero when it does not.
+/// Point at which a path first touches a sphere around the origin; zero if it does not.
 template <class Real>
 Vec3<Real> enterBall(Real radius, const Vec3<Real>& from, const Vec3<Real>& to) {
   const Real start = from.norm();
@@ -38,7 +38,7 @@ Vec3<Real> SphereShape<Real>::resolve(const Vec3<Real>& from, const Vec3<Real>& 
   const Real distance = to.norm();
   const bool near_side = distance > Real(1e-6) * reach && to.dot(normal) > 0;
   if (distance < reach && near_side) return to * (reach / distance);
-  // Through the ball or beyond its middle: slide along the tangent plane where it was hit.
+  // Through the sphere or beyond its centre: slide along the tangent plane at the point of impact.
   return to + (reach - to.dot(normal)) * normal;
 }
 

@@ -1,5 +1,5 @@
-// Water as the rest of the simulation sees it: its density and pressure, the corrections that keep
-// it from being compressed, and its viscosity.
+// The interface of the density solve: density, pressure, the corrections that keep water
+// incompressible, and viscosity.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,13 @@ namespace ice_ice_baby {
 template <class Real>
 class Fluid {
  public:
-  /// @param colliders must outlive it, as must phases
-  /// @param phases what is water, ice and steam, or null where all is water
+  /// @param colliders must outlive it, like phases
+  /// @param phases phase of each particle, or null if all are water
   Fluid(const Scene& scene, const Colliders<Real>& colliders, const Phases<Real>* phases);
   Fluid(const Fluid&) = delete;
   Fluid& operator=(const Fluid&) = delete;
 
-  /// Begins a substep: moves x* by the part of the latest substep's correction that is expected
-  /// again (`solver.warm_start`).
+  /// Starts a substep: moves x* by the fraction `solver.warm_start` of the latest correction.
   void beginSubstep(Particles<Real>& particles) { constraint_.warmStart(particles); }
 
   /// One iteration of Algorithm 1: lambda_i, then delta p_i, of every particle.
@@ -37,17 +36,17 @@ class Fluid {
     constraint_.computeDeltaP(particles, neighbours);
   }
 
-  /// (n) delta p_i of the latest iteration, m. Collisions amend it.
+  /// (n) delta p_i of the latest iteration, m. The collision response changes it.
   VectorField<Real>& deltaP() { return constraint_.deltaP(); }
   const VectorField<Real>& deltaP() const { return constraint_.deltaP(); }
 
   bool viscous() const { return viscosity_.has_value(); }
-  /// Smooths velocities (XSPH) over a substep, where the water is viscous.
+  /// Smooths velocities (XSPH) over a substep, if the water is viscous.
   void applyViscosity(Particles<Real>& particles, const Neighbours<Real>& neighbours, double dt_s);
 
-  /// The next substep expects nothing of the latest one: for water that was moved in no time.
+  /// Starts the next substep without corrections of the latest one, after water was displaced.
   void forget() { constraint_.forgetWarmStart(); }
-  /// From now on substeps are `ratio` times as long.
+  /// Adapts to substeps that are `ratio` times as long from now on.
   void rescale(double ratio) { constraint_.rescaleWarmStart(ratio); }
   /// Puts particle order[k] at place k, as Particles::reorder does.
   void reorder(const std::vector<Index>& order) { constraint_.reorder(order); }
@@ -56,18 +55,18 @@ class Fluid {
   const std::vector<Real>& density() const { return constraint_.density(); }
   /// Largest of density(); 1 without particles.
   double maxDensity() const;
-  /// What the corrections of the latest substep amount to, Pa.
+  /// Pressure equivalent to the corrections of the latest substep, Pa.
   double pressure_pa(std::size_t i, double substeps_1_s) const {
     return pascal_s2_m2_ * substeps_1_s * substeps_1_s * double(constraint_.multiplier()[i]);
   }
-  /// What compressed water gives back, J: a solver that stops after few iterations leaves it as
-  /// soft as springs of stiffness p / C, which give back p V C / 2.
+  /// Energy stored in compressed water, J. After few iterations water is as soft as springs of
+  /// stiffness p / C, which store p V C / 2.
   double elasticEnergy_j(double substeps_1_s) const;
   struct DensityError {
-    double mean, max;  ///< of max(rho / rho_0 - 1, 0), by the kernel of the solver
+    double mean, max;  ///< of max(rho / rho_0 - 1, 0), with the solver's kernel
   };
   DensityError densityError() const;
-  /// Corrections that `solver.max_correction_h` cut short so far.
+  /// Number of corrections limited by `solver.max_correction_h` so far.
   std::uint64_t correctionsLimited() const { return constraint_.limited(); }
 
   StageStats lambdaStage() const;
@@ -78,12 +77,12 @@ class Fluid {
   static void exchange(Self& self, Archive& archive) {
     archive(self.constraint_);
   }
-  /// @throws InvalidInput when what was read is not that of `particles` particles
+  /// @throws InvalidInput if the state of a checkpoint does not match the number of particles
   void restore(std::size_t particles) { constraint_.restore(particles); }
 
  private:
   double mass_kg_;       ///< of a particle
-  double pascal_s2_m2_;  ///< -rho_0: pressure of a multiplier of 1 m^2 in substeps of 1 s
+  double pascal_s2_m2_;  ///< -rho_0: pressure for a multiplier of 1 m^2 and substeps of 1 s
   std::optional<BoundaryDensity<Real>> boundary_;
   DensityConstraint<Real> constraint_;
   std::optional<Viscosity<Real>> viscosity_;

@@ -14,11 +14,11 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Lattices within each other have particles nearer than this, in spacings: the middle of a cube
-/// is 0.87 from its corners. Blocks side by side keep a whole spacing.
+/// Overlapping lattices have particles closer than this, in spacings: the centre of a cube is 0.87
+/// from its corners. Adjacent blocks keep a whole spacing.
 constexpr double kOverlap_d = 0.9;
 
-/// So deep, m, is rounding.
+/// Penetration below this is rounding error, m.
 constexpr double kHair_m = 1e-6;
 
 using Box = Eigen::AlignedBox3d;
@@ -31,14 +31,14 @@ std::string shareText(std::size_t some, std::size_t all) {
          (some == 1 ? " particles lies" : " particles lie");
 }
 
-/// The box of a block, turned as it is, in a box along the axes.
+/// Axis-aligned bounding box of a rotated block.
 Box boundsOf(const Block& block) {
   const Posed pose = poseOf(block.centre_m(), block.rpy_deg);
   const Vec3d half = pose.rotation.cwiseAbs() * (block.max_m - block.min_m) / 2;
   return {block.centre_m() - half, block.centre_m() + half};
 }
 
-/// Colliders with their names and keys, bounding the centres of particles without size.
+/// Colliders with their names and keys, for particles without size.
 class Solids {
  public:
   explicit Solids(const Scene& scene) : solids_(scene, 0.0) {
@@ -85,7 +85,7 @@ class Solids {
   std::vector<std::string> keys_;
 };
 
-/// Points in cells as wide as the distance that they are to keep.
+/// Grid of points with cells as wide as the distance that points must keep.
 class PointGrid {
  public:
   explicit PointGrid(double edge_m) : edge_m_(edge_m) {}
@@ -94,7 +94,7 @@ class PointGrid {
     cells_.emplace(keyAt(x, {0, 0, 0}), Entry{x, block});
   }
 
-  /// Block of a point nearer to x than `distance_m`, no more than an edge, or `none`.
+  /// Block of a point closer to x than `distance_m`, which is at most a cell, or `none`.
   std::size_t blockNear(const Vec3d& x, double distance_m, std::size_t none) const {
     for (int k = 0; k < 27; ++k) {
       const auto range = cells_.equal_range(keyAt(x, {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1}));
@@ -113,7 +113,7 @@ class PointGrid {
     std::size_t block;
   };
 
-  /// 21 bits an axis; cells that share a key are told apart by their distances.
+  /// 21 bits per axis. Cells with the same key are distinguished by the distances of their points.
   std::uint64_t keyAt(const Vec3d& x, const Eigen::Array<std::int64_t, 3, 1>& beside) const {
     const Eigen::Array<std::int64_t, 3, 1> cell =
         (x.array() / edge_m_).floor().cast<std::int64_t>() + beside;
@@ -126,7 +126,7 @@ class PointGrid {
   std::unordered_multimap<std::uint64_t, Entry> cells_;
 };
 
-/// For each block the part of its bounds that those of other blocks reach; empty for most.
+/// For each block, the part of its bounds that overlaps those of other blocks; empty for most.
 std::vector<Box> sharedBounds(const std::vector<Box>& bounds) {
   std::vector<std::size_t> by_x(bounds.size());
   std::iota(by_x.begin(), by_x.end(), std::size_t(0));
@@ -146,7 +146,7 @@ std::vector<Box> sharedBounds(const std::vector<Box>& bounds) {
   return shared;
 }
 
-/// Blocks join one by one, so that cells never hold more than a lattice does.
+/// Adds blocks one by one, so that cells never contain more points than a single lattice has.
 void requireApart(const Scene& scene) {
   double widest_m = scene.fluid.spacing_m;
   for (const Block& block : scene.blocks) widest_m = std::max(widest_m, scene.spacing_m(block));

@@ -31,7 +31,7 @@ void Particles<Real>::add(const std::vector<Vec3d>& points, const std::vector<Ve
   }
 }
 
-/// Radix sort, the lowest digit first, with as many digits as the largest id has.
+/// Radix sort from the lowest digit, with as many digits as the largest id has.
 std::vector<Index> placesById(const std::vector<std::uint32_t>& id) {
   constexpr int kDigitBits = 11;
   constexpr std::uint32_t kDigits = 1u << kDigitBits;

@@ -8,9 +8,9 @@
 
 namespace ice_ice_baby {
 
-/// Puts values[order[k]] at place k. What is at no place of `order` is gone.
+/// Moves values[order[k]] to place k. Values that `order` does not contain are removed.
 /// @param order distinct indices of values
-/// @param scratch changes places with the values; what it held is lost
+/// @param scratch is swapped with the values; its contents are lost
 template <class T>
 void permute(std::vector<T>& values, const std::vector<Index>& order, std::vector<T>& scratch) {
   scratch.resize(order.size());
@@ -51,21 +51,21 @@ void permute(VectorField<Real>& field, const std::vector<Index>& order,
   permute(field.z, order, scratch);
 }
 
-/// Particles come and go: they keep their ids, their places change.
+/// Particles may be added and removed. They keep their ids; their indices change.
 template <class Real>
 struct Particles {
   VectorField<Real> position;     ///< (n) x_i, m
   VectorField<Real> predicted;    ///< (n) x_i*, m
   VectorField<Real> velocity;     ///< (n) v_i, m/s
-  std::vector<std::uint32_t> id;  ///< (n) unique and never used twice; not dense
-  std::uint32_t next_id = 0;      ///< of the particle that comes next
-  std::size_t ghosts = 0;         ///< the last so many are copies of what another process moves
+  std::vector<std::uint32_t> id;  ///< (n) unique, never reused, not necessarily dense
+  std::uint32_t next_id = 0;      ///< id of the next new particle
+  std::size_t ghosts = 0;         ///< number of copies owned by another process, at the end
   std::vector<Real> scratch;      ///< (n) of reorder
   std::vector<std::uint32_t> id_scratch;
 
-  /// n, the owned ones and the ghosts behind them.
+  /// n: owned particles followed by ghosts.
   std::size_t size() const { return id.size(); }
-  /// Those that this simulation moves and reports.
+  /// Number of particles that this simulation moves and reports.
   std::size_t owned() const { return size() - ghosts; }
   std::size_t bytes() const {
     return position.bytes() + predicted.bytes() + velocity.bytes() +
@@ -73,7 +73,7 @@ struct Particles {
            scratch.capacity() * sizeof(Real);
   }
 
-  /// Puts particle order[k] at place k. A particle at no place of `order` is gone.
+  /// Moves particle order[k] to place k. Particles that `order` does not contain are removed.
   void reorder(const std::vector<Index>& order);
 
   /// Appends particles with the next ids.
@@ -89,7 +89,7 @@ struct Particles {
   void restore(std::size_t count);
 };
 
-/// Places of the particles in the order of their ids.
+/// Indices of the particles in the order of their ids.
 /// @param id (n) unique
 std::vector<Index> placesById(const std::vector<std::uint32_t>& id);
 

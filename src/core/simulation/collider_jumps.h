@@ -1,5 +1,5 @@
-// Colliders that are somewhere else at once: what they hold comes along, what they land on is put
-// beside them, and nothing of it counts as speed.
+// Colliders that jump to another pose: their contents move along, particles that they land on are
+// moved out of them, and none of this counts as velocity.
 #pragma once
 
 #include <vector>
@@ -10,23 +10,23 @@
 
 namespace ice_ice_baby {
 
-/// Lets colliders jump that are about to go further in a frame than `most_m`: faster than the speed
-/// limit nothing could follow them or get out of their way.
-/// @return those that jumped
+/// Makes colliders jump that would move farther than `most_m` in a frame: beyond the speed limit no
+/// particle could follow them or move out of their way.
+/// @return the colliders that jumped
 template <class Real>
 std::vector<Jump<Real>> jumpFastColliders(Colliders<Real>& colliders,
                                           const Particles<Real>& particles, double most_m);
 
-/// Takes along what lies in containers that jumped, its velocity turned with them.
-/// @param bodies whose members stay where they are, or null
-/// @return particles that were taken along
+/// Moves the contents of containers that jumped along with them and rotates their velocities.
+/// @param bodies ice bodies, whose members are skipped; or null
+/// @return number of particles moved
 template <class Real>
 std::size_t carry(const std::vector<Jump<Real>>& jumps, const Colliders<Real>& colliders,
                   const IceBodies<Real>* bodies, Particles<Real>& particles);
 
-/// Puts water that lies in a collider beside it.
-/// @param bodies whose members stay where they are, or null
-/// @return the longest way that a particle was put aside, m
+/// Moves water out of colliders that it overlaps.
+/// @param bodies ice bodies, whose members are skipped; or null
+/// @return the largest displacement, m
 template <class Real>
 double expel(const Colliders<Real>& colliders, const IceBodies<Real>* bodies,
              Particles<Real>& particles);

@@ -7,7 +7,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Heat waits no longer than this, and changes of phase no shorter, s of simulated time.
+/// Longest time between thermal passes, and shortest time between updates of phases, s simulated.
 constexpr double kHeatWait_s = 0.1;
 constexpr double kPhasesWait_s = 0.05;
 
@@ -129,8 +129,8 @@ void PhaseChange<Real>::updateSteam() {
   if (phases_.steamCount() > 0 && !steam_) steam_.emplace(scene_.steam);
 }
 
-/// Springs join what froze and break where it melted; what they join is one rigid body.
-/// @param apart spawns that are not joined to each other; null: all ice joins
+/// Joins new ice with springs and removes springs where ice melted. Connected ice is a rigid body.
+/// @param apart spawns that are not joined to each other; null: all ice is joined
 template <class Real>
 void PhaseChange<Real>::updateIce(const Particles<Real>& particles,
                                   const Neighbours<Real>& neighbours,

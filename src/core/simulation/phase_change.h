@@ -1,5 +1,5 @@
-// What heat changes: temperatures, which particles are water, ice and steam, and the rigid bodies
-// that the ice makes. Only a scene with heat has it.
+// Everything that only thermal scenes have: temperatures of particles, the phases water, ice and
+// steam, and rigid bodies of ice.
 #pragma once
 
 #include <optional>
@@ -21,70 +21,72 @@ namespace ice_ice_baby {
 template <class Real>
 class PhaseChange {
  public:
-  /// @param scene, colliders, springs must outlive it; gravity is read from the scene as it is
-  /// @param springs of the simulator: while there is ice, those that join it
+  /// @param scene, colliders, springs must outlive it; gravity is read from the scene in every
+  /// substep
+  /// @param springs springs of the simulator, which join ice while there is any
   PhaseChange(const Scene& scene, const std::vector<Spawn>& spawns,
               const Colliders<Real>& colliders, std::optional<Springs<Real>>& springs);
   PhaseChange(const PhaseChange&) = delete;
   PhaseChange& operator=(const PhaseChange&) = delete;
 
-  /// At the start everything has the phase and the volume of its temperature.
-  /// @param spawns ice of one is not joined to that of another
+  /// Sets the initial phase and volume of every particle from its temperature.
+  /// @param spawns ice of different spawns is not joined
   void begin(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
              const std::vector<Spawn>& spawns);
 
   // Within a substep, in this order.
 
-  /// Lets volumes follow, steam rise and bodies fly: x* of both.
+  /// Updates volumes, and predicts x* of steam and of ice bodies.
   void predict(Particles<Real>& particles, double dt_s);
-  /// Takes what moved members of bodies since as impulses on all of their body.
+  /// Applies displacements of members as impulses on their bodies.
   void conform(VectorField<Real>& predicted);
   /// Puts particle order[k] at place k, as Particles::reorder does.
   void reorder(const std::vector<Index>& order);
-  /// To be called when the lists of neighbours are new.
+  /// Call it after the neighbour lists were rebuilt.
   void followNeighbours(const Neighbours<Real>& neighbours);
   void findContacts(const VectorField<Real>& predicted, const Neighbours<Real>& neighbours);
-  /// Takes what water and other bodies did to the members of a body as impulses on all of it.
+  /// Applies displacements of members by water and other bodies as impulses on their bodies, and
+  /// solves the contacts.
   void moveBodies(VectorField<Real>& predicted);
-  /// No body ends the substep deep inside a collider.
+  /// Moves bodies back that would end the substep deep inside a collider.
   void contain(VectorField<Real>& predicted);
   void finish(Particles<Real>& particles);
-  /// Takes what viscosity did to the members of a body as impulses on all of it.
+  /// Applies changes of member velocities by viscosity as impulses on their bodies.
   void takeVelocities(Particles<Real>& particles);
 
   // Between two frames.
 
-  /// Heat flows at its own, slow rate: a pass covers as many frames as it may, but no more than a
-  /// person would notice. What it freezes, melts or boils changes between two frames, and not in
-  /// every one.
+  /// Advances temperatures and phases. Heat conduction is slow, so one pass covers as many frames
+  /// as possible, up to a visible delay. Phases change between frames, and not in every one.
   void advance(const Particles<Real>& particles, const Neighbours<Real>& neighbours, double air_c);
-  /// Takes bodies along with colliders that jump, and puts those that lie in one beside it.
+  /// Moves bodies along with colliders that jumped, and out of colliders that they overlap.
   void jump(const std::vector<Jump<Real>>& jumps, Particles<Real>& particles);
   void wakeBodies();
 
   // Particles that come and go, between two frames.
 
-  /// Appends particles of one temperature; followParticles has to be called once they have places.
+  /// Appends particles of one temperature. Call followParticles once they are sorted.
   void add(std::size_t count, double celsius);
-  /// Takes particles that are about to go out of their bodies, which keep the momenta of the rest.
-  /// Their springs are gone already.
-  /// @param gone (n) whether a particle goes
+  /// Removes particles from their bodies, which keep the momenta of the rest. The springs of these
+  /// particles must have been removed before.
+  /// @param gone (n) whether a particle is removed
   void release(const std::vector<char>& gone, const Particles<Real>& particles,
                const Neighbours<Real>& neighbours);
-  /// To be called once particles came or went and neighbours are known: what came gets its phase.
+  /// Call it after particles were added or removed and the neighbour lists were rebuilt. Sets the
+  /// phase of new particles.
   void followParticles(const Particles<Real>& particles, const Neighbours<Real>& neighbours);
 
-  /// Whether ice is rigid: bodies, not springs, then keep its shape.
+  /// Whether ice is rigid, so that bodies instead of springs keep its shape.
   bool rigid() const { return scene_.ice.compliance_m_n == 0.0; }
   const Phases<Real>& phases() const { return phases_; }
   ThermalSolver<Real>& heat() { return heat_; }
   const ThermalSolver<Real>& heat() const { return heat_; }
   /// Null while there is no rigid ice.
   const IceBodies<Real>* bodies() const { return bodies_ ? &*bodies_ : nullptr; }
-  /// Times that a body was slowed or put back so far.
+  /// How often a body was slowed or moved back so far.
   std::uint64_t limited() const { return bodies_ ? bodies_->limited() + contacts_->limited() : 0; }
 
-  /// Fills in what only a scene with heat has.
+  /// Sets the numbers of the report that only thermal scenes have.
   void addTo(StepReport& report) const;
   StageStats contactsStage() const { return contacts_clock_.stats(contacts_->bytes()); }
   StageStats bodiesStage() const { return bodies_clock_.stats(bodies_->bytes()); }
@@ -101,7 +103,7 @@ class PhaseChange {
   static void exchangeTimes(Self& self, Archive& archive) {
     archive(self.heat_due_s_, self.phases_due_s_);
   }
-  /// @throws InvalidInput when what was read does not belong to these particles
+  /// @throws InvalidInput if the state of a checkpoint does not match the particles
   void restore(const Particles<Real>& particles);
 
  private:
@@ -121,8 +123,8 @@ class PhaseChange {
   std::optional<IceContacts<Real>> contacts_;  ///< of those
   std::optional<Steam<Real>> steam_;           ///< while there is steam
   std::vector<Index> body_labels_;             ///< (n) scratch of updateIce
-  double heat_due_s_ = 0.0;                    ///< simulated time that heat has yet to follow
-  double phases_due_s_ = 0.0;                  ///< since phases last followed heat
+  double heat_due_s_ = 0.0;                    ///< simulated time since the last thermal pass
+  double phases_due_s_ = 0.0;                  ///< simulated time since the last update of phases
   StageClock contacts_clock_{"ice_contacts"};
   StageClock bodies_clock_{"ice_bodies"};
   StageClock heat_clock_{"heat"};

@@ -16,13 +16,14 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Lists reach this far beyond the support radius, in spacings, and live until a particle moved
-/// half.
+/// Skin of the neighbour lists beyond the support radius, in spacings. Lists are valid until a
+/// particle has moved half of it.
 constexpr double kSkin = 0.3;
 
 const int kAllThreads = tbb::this_task_arena::max_concurrency();
 
-/// Unit vector that depends on the id alone, spread evenly over the sphere (golden angle spiral).
+/// Unit vector that depends on the id alone, evenly distributed on the sphere (golden angle
+/// spiral).
 template <class Real>
 Vec3<Real> directionOf(std::uint32_t id) {
   const double z = 1.0 - 2.0 * ((id * 2654435761u >> 8) + 0.5) / (1 << 24);
@@ -44,7 +45,7 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
       neighbours_(static_cast<Real>(scene.supportRadius_m()),
                   static_cast<Real>(kSkin * scene.fluid.spacing_m)),
       substeps_(scene.substeps()) {
-  scene_.solver.substeps = substeps_;  // so that scene() tells what is in force
+  scene_.solver.substeps = substeps_;  // scene() returns the values in force
   scene_.solver.relaxation = scene.relaxation();
   if (scene.thermal.enabled) {
     phase_change_.emplace(scene_, spawns_, colliders_, springs_);
@@ -53,7 +54,7 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
   updateTemperature(0.0);
   arena_.execute([&] {
     findNeighbours();
-    // What fell as one would stay one: lists live as long as all particles move alike.
+    // Coincident particles that fall together would never be separated, as lists stay valid then.
     if (neighbours_.coincident()) particles_.position = particles_.predicted;
     joinSheets();
     if (phase_change_) phase_change_->begin(particles_, neighbours_, spawns_);
@@ -118,7 +119,7 @@ void Simulator<Real>::substep(double dt_s) {
   for (int iteration = 0; iteration < scene_.solver.iterations; ++iteration) {
     fluid_->iterate(particles_, neighbours_);
     if (!colliders_.empty()) collide_clock_.run([&] { respondToCollisions(); });
-    // The paper corrects x* before its update, the default after: doc/algorithm.md says why.
+    // The paper corrects springs before the update of x*, the default after; see doc/algorithm.md.
     if (!scene_.springs.correct_updated) correctSprings(dt_s, iteration);
     position_clock_.run([&] { updatePredicted(); });
     if (phase_change_) phase_change_->moveBodies(particles_.predicted);
@@ -164,7 +165,7 @@ void Simulator<Real>::renewNeighbours() {
   if (neighbours_.coincident()) separateCoincident();
 }
 
-/// Puts particle order[k] at place k, with all that belongs to it.
+/// Moves particle order[k] to place k, with all of its state.
 template <class Real>
 void Simulator<Real>::reorder(const std::vector<Index>& order) {
   particles_.reorder(order);
@@ -173,8 +174,8 @@ void Simulator<Real>::reorder(const std::vector<Index>& order) {
   if (phase_change_) phase_change_->reorder(order);
 }
 
-/// Two particles at one point have no direction in which to part, so all but the first of them are
-/// put a hundredth of a spacing aside, each in a direction of its own.
+/// Coincident particles have no direction in which to separate, so all but the first are displaced
+/// by a hundredth of a spacing, each in its own direction.
 template <class Real>
 void Simulator<Real>::separateCoincident() {
   const VectorField<Real>& x = particles_.predicted;
@@ -214,7 +215,7 @@ void Simulator<Real>::correctSprings(double dt_s, int iteration) {
   });
 }
 
-/// Amends delta p so that x* + delta p lies outside every collider.
+/// Changes delta p so that x* + delta p lies outside every collider.
 template <class Real>
 void Simulator<Real>::respondToCollisions() {
   const IceBodies<Real>* bodies = this->bodies();
@@ -238,7 +239,7 @@ void Simulator<Real>::updatePredicted() {
               [&](std::size_t i) { particles_.predicted.add(i, delta_p.at(i)); });
 }
 
-/// Takes what springs or plain flight pushed into a collider out of it again.
+/// Moves particles out of colliders that springs or free flight moved into them.
 template <class Real>
 void Simulator<Real>::finishCollisions() {
   const IceBodies<Real>* bodies = this->bodies();
@@ -252,10 +253,9 @@ void Simulator<Real>::finishCollisions() {
   });
 }
 
-/// v = (x* - x) / dt, x = x*, written as what the corrections add to the velocity of the
-/// prediction, so that free flight keeps every bit of its velocity however short the substep. A
-/// value that is not finite puts its particle back to rest where it was; one above the speed limit
-/// is slowed to it. Both are counted.
+/// v = (x* - x) / dt, x = x*, written as the change by the corrections, so that free flight keeps
+/// every bit of its velocity in any substep. A particle with a value that is not finite is put at
+/// rest at its previous position; one above the speed limit is slowed to it. Both are counted.
 template <class Real>
 void Simulator<Real>::updateVelocityAndPosition(Real dt) {
   const Real limit = static_cast<Real>(scene_.solver.max_speed_m_s);
@@ -279,7 +279,7 @@ void Simulator<Real>::updateVelocityAndPosition(Real dt) {
   });
   report_.speed_limited += limited;
   report_.non_finite += repaired;
-  if (repaired > 0) fluid_->forget();  // or every substep would start from it again
+  if (repaired > 0) fluid_->forget();  // otherwise every substep would start from it again
 }
 
 template <class Real>

@@ -1,4 +1,4 @@
-// The simulation loop: Algorithm 1 of the paper over one scene, in float or double.
+// The simulation loop: Algorithm 1 of the paper for one scene, in float or double.
 #pragma once
 
 #include <tbb/task_arena.h>
@@ -21,7 +21,7 @@
 
 namespace ice_ice_baby {
 
-/// A stage that a scene does not need is not there: no springs while liquid, no collisions without
+/// Stages that a scene does not need do not exist: no springs while liquid, no collisions without
 /// colliders, no viscosity at rate zero.
 template <class Real>
 class Simulator final : public Simulation {
@@ -44,34 +44,35 @@ class Simulator final : public Simulation {
   Precision precision() const override;
   void write(StateWriter& writer) const override;
 
-  /// Lets particles come between two frames, as from a tap. The report has the new number at once,
-  /// what else changes after the next frame.
-  /// @param position_m (k) outside colliders and a spacing from other particles
+  /// Adds particles between two frames, for example from a tap. The report contains the new number
+  /// of particles at once; the rest of it changes after the next frame.
+  /// @param position_m (k) outside colliders and at least a spacing from other particles
   /// @param velocity_m_s (k)
-  /// @param celsius of all of them; without heat they have the temperature of the scene
-  /// @return id of the first of them; the others follow
-  /// @throws InvalidInput for vectors of different lengths, for values out of range, and for more
-  /// particles than limits.max_particles; nothing has changed then
+  /// @param celsius their temperature; ignored unless the scene is thermal
+  /// @return id of the first; the others have consecutive ids
+  /// @throws InvalidInput for vectors of different lengths, values out of range, and more particles
+  /// than limits.max_particles; nothing has changed then
   std::uint32_t addParticles(const std::vector<Vec3d>& position_m,
                              const std::vector<Vec3d>& velocity_m_s, double celsius);
 
-  /// Lets particles go between two frames, as down a drain, with all that belongs to them.
-  /// @param goes whether the particle of an id at a position in m goes
-  /// @return how many went
+  /// Removes particles between two frames, for example through a drain, with their springs and
+  /// their part in ice bodies.
+  /// @param goes whether to remove the particle with this id at this position, m
+  /// @return number of particles removed
   std::size_t removeParticles(
       const std::function<bool(std::uint32_t id, const Vec3d& position_m)>& goes);
 
-  /// Takes over what another simulator of the same scene wrote behind the scene and the numbers of
-  /// particles. @throws InvalidInput when it makes no sense; this one is then of no more use
-  /// @param particles that there are
-  /// @param came of those that there have been, how many the scene did not spawn
+  /// Restores the state that another simulator of the same scene wrote after the scene and the
+  /// numbers of particles. @throws InvalidInput for invalid state; this object is unusable then
+  /// @param particles present number of particles
+  /// @param came number of particles added after the spawn, including those removed since
   void read(StateReader& reader, std::uint32_t particles, std::uint32_t came);
 
-  /// State for tests and measurement; sorted by cell, so indices change from substep to substep.
+  /// State, for tests and measurements. Sorted by cell, so indices change between substeps.
   const Particles<Real>& particles() const { return particles_; }
   Particles<Real>& particles() { return particles_; }
   Neighbours<Real>& neighbours() { return neighbours_; }
-  /// Null without heat.
+  /// Null unless the scene is thermal.
   const PhaseChange<Real>* phaseChange() const { return phase_change_ ? &*phase_change_ : nullptr; }
 
  private:
@@ -105,7 +106,7 @@ class Simulator final : public Simulation {
   static void exchange(Self& self, Archive& archive);
   void writeState(StateWriter& writer) const;
   void restore(std::size_t particles);
-  /// Particles that the scene spawned: their ids are the first ones.
+  /// Number of particles that the scene spawned; these have the lowest ids.
   std::uint32_t spawned() const {
     return spawns_.empty() ? 0 : spawns_.back().first_id + spawns_.back().count;
   }
@@ -124,7 +125,7 @@ class Simulator final : public Simulation {
   Temperature temperature_;
   Colliders<Real> colliders_;
   Neighbours<Real> neighbours_;
-  std::optional<Fluid<Real>> fluid_;  ///< always there, but made after what it refers to
+  std::optional<Fluid<Real>> fluid_;  ///< always present; constructed after what it refers to
   std::optional<Springs<Real>> springs_;
   std::optional<PhaseChange<Real>> phase_change_;  ///< with heat
 
@@ -143,7 +144,7 @@ class Simulator final : public Simulation {
   StepReport report_;
   int substeps_;  ///< of the frame that comes next
   double strictness_ = 0.0;
-  double still_s_ = 0.0;  ///< for how long frozen water has been slower than the sleep speed
+  double still_s_ = 0.0;  ///< how long frozen water has been below the sleep speed
   bool colliders_moving_ = false;
 };
 

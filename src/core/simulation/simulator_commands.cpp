@@ -1,4 +1,4 @@
-// What users change between frames: each is checked whole before anything changes.
+// Commands of users between frames. Each is checked completely before anything changes.
 #include <algorithm>
 
 #include "ice_ice_baby/each_collider.h"
@@ -53,7 +53,7 @@ void Simulator<Real>::moveCollider(const std::string& name, const Posed& pose) {
     requireInRange("position of collider " + name, pose.position[axis], kCoordinateRange_m.min,
                    kCoordinateRange_m.max);
   }
-  // A mirror is unitary too, but its determinant is -1.
+  // A reflection is unitary too, but its determinant is -1.
   const auto& turn = pose.rotation;
   if (!turn.allFinite() || !turn.isUnitary(1e-6) || turn.determinant() < 0.0) {
     throw InvalidInput("rotation of collider " + name + " must be a unit quaternion");

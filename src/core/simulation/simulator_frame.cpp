@@ -1,4 +1,4 @@
-// What a simulator does once a frame, around the substeps of Algorithm 1.
+// The part of a frame outside the substeps of Algorithm 1.
 #include <algorithm>
 #include <cmath>
 
@@ -9,16 +9,16 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Bounds of the number of substeps where a target error is followed.
+/// Bounds of the number of substeps with a target error.
 constexpr int kFewestSubsteps = 2;
 constexpr int kMostSubsteps = 64;
 
-/// Water that was pressed together parts in so many corrections at most, or until the densest
-/// particle is within this share of rest.
+/// Compressed water is relaxed with at most this many corrections, or until the largest density is
+/// within this fraction of rest density.
 constexpr int kMostCorrections = 100;
 constexpr double kDense = 0.05;
 
-/// What was put aside by less than this, in spacings, presses on nothing.
+/// Displacements below this, in spacings, need no relaxation.
 constexpr double kPressed_d = 0.01;
 
 }  // namespace
@@ -48,7 +48,8 @@ void Simulator<Real>::joinSheets() {
   }
 }
 
-/// Frozen water slower than the sleep speed for half a second sleeps; anything new wakes it.
+/// Frozen water that has been slower than the sleep speed for half a second sleeps; any change
+/// wakes it.
 template <class Real>
 void Simulator<Real>::updateSleep() {
   const bool slow = report_.max_speed_m_s < scene_.springs.sleep_speed_m_s;
@@ -62,8 +63,8 @@ void Simulator<Real>::updateSleep() {
   updateReport();
 }
 
-/// The error falls with the square of the substep. Fewer substeps are tried one at a time, so that
-/// a calm frame does not leave the next one short.
+/// The error is proportional to the square of the substep. The number of substeps falls by one per
+/// frame at most, so that a calm frame does not leave too few for the next one.
 template <class Real>
 void Simulator<Real>::followTargetError() {
   const double target = scene_.solver.target_error;
@@ -94,7 +95,7 @@ void Simulator<Real>::expelWater() {
   if (furthest_m > kPressed_d * scene_.fluid.spacing_m) makeRoom();
 }
 
-/// Corrects density as the iterations of a substep do, but in no time, so that it is not velocity.
+/// Corrects density as in the iterations of a substep, but without changing velocities.
 template <class Real>
 void Simulator<Real>::makeRoom() {
   for (int k = 0; k < kMostCorrections; ++k) {

@@ -1,4 +1,4 @@
-// Particles that come and go between two frames.
+// Adds and removes particles between two frames.
 #include <cmath>
 
 #include "ice_ice_baby/errors.h"
@@ -74,8 +74,8 @@ std::size_t Simulator<Real>::removeParticles(
   return went;
 }
 
-/// What follows from the particles that there are now. Nothing of it moves one, but what came to
-/// exactly the place of another.
+/// Updates everything that depends on the set of particles. Moves none, except new particles that
+/// coincide with another.
 template <class Real>
 void Simulator<Real>::followParticles() {
   if (neighbours_.coincident()) particles_.position = particles_.predicted;

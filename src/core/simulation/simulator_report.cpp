@@ -1,4 +1,4 @@
-// What a simulator tells of its state; nothing here changes it.
+// Reports and samples of the state; nothing here changes it.
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +30,8 @@ void Simulator<Real>::updateReport() {
   if (phase_change_) phase_change_->addTo(report_);
 }
 
-/// Of compressed water and of springs. doc/stability.md shows the balance with and without.
+/// Elastic energy of compressed water and of springs. doc/stability.md shows the energy balance
+/// with and without it.
 template <class Real>
 double Simulator<Real>::elasticEnergy_j() const {
   const double substeps_1_s = scene_.solver.frame_rate_hz * substeps_;

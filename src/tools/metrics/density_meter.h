@@ -1,4 +1,4 @@
-// Density error by the same kernel for every solver, by which solvers are compared.
+// Density error with the same kernel for every solver, for comparisons.
 #pragma once
 
 #include <memory>
@@ -11,11 +11,11 @@ namespace ice_ice_baby {
 struct DensityError {
   double mean = 0.0;  ///< of max(rho / rho_0 - 1, 0) over the particles
   double max = 0.0;
-  double volume_lost = 0.0;  ///< mean of 1 - 1 / max(rho / rho_0, 1): what compression hides
+  double volume_lost = 0.0;  ///< mean of 1 - 1 / max(rho / rho_0, 1): volume lost to compression
 };
 
-/// Measures by the cubic spline with h = 2 d, whatever kernel and radius the solver uses. Positions
-/// are floats, as samples are, whatever precision the simulation has.
+/// Measures with the cubic spline with h = 2 d, independently of the kernel and radius of the
+/// solver. Positions are floats, like samples, in both precisions.
 class DensityMeter {
  public:
   /// @param threads threads to use, 0: all of the machine's
@@ -32,7 +32,7 @@ class DensityMeter {
   std::vector<float> volumes_;
 };
 
-/// For whoever asks only once.
+/// Measures once.
 DensityError measureDensityError(const Simulation& simulation);
 
 }  // namespace ice_ice_baby

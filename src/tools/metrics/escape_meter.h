@@ -1,4 +1,4 @@
-// Water that got out of closed colliders.
+// Counts water that has left closed colliders.
 #pragma once
 
 #include <memory>
@@ -24,7 +24,7 @@ class EscapeMeter {
   std::unique_ptr<Enclosed> enclosed_;
 };
 
-/// For whoever asks only once.
+/// Counts once.
 std::size_t countEscaped(const Simulation& simulation);
 
 }  // namespace ice_ice_baby
