@@ -1,20 +1,19 @@
 #!/usr/bin/python3
 """The nodes of examples/ice_ice_baby_examples, against the running node."""
-import os
+import pathlib
 import re
 import subprocess
 import sys
 import unittest
 
-FOLDER = os.path.dirname(os.path.abspath(__file__))
-SCRIPTS = os.path.join(FOLDER, "..", "..", "examples", "ice_ice_baby_examples", "scripts")
-sys.path.insert(0, FOLDER)
-
 import roslib.packages
 import rospy
 from tf2_msgs.msg import TFMessage
 
-from harness import Latest, Node, wait_until
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCRIPTS = ROOT / "examples" / "ice_ice_baby_examples" / "scripts"
+sys.path.insert(0, str(ROOT / "scripts"))
+from iib.ros.node import Latest, Node, wait_until
 
 SPOON = "ice_ice_baby/scene/spoon"
 
@@ -51,7 +50,7 @@ class Examples(unittest.TestCase):
 
     def test_1_subscribers_print_the_particles(self):
         self.expect_particles(built("print_particles"))
-        self.expect_particles(os.path.join(SCRIPTS, "print_particles.py"))
+        self.expect_particles(str(SCRIPTS / "print_particles.py"))
 
     def test_2_calm_water_freezes(self):
         child = self.start(built("freeze_when_calm"))
@@ -62,7 +61,7 @@ class Examples(unittest.TestCase):
         self.assertTrue(self.node.reset(scene="", preset="").success)
 
     def test_3_the_spoon_stirs(self):
-        self.start(os.path.join(SCRIPTS, "move_spoon.py"))
+        self.start(str(SCRIPTS / "move_spoon.py"))
         with Latest("/tf", TFMessage) as tf:
 
             def places():
