@@ -158,8 +158,13 @@ class Checkpoint(unittest.TestCase):
         env, default = self.home()
         parameters = ["scene:=small", "autosave_s:=0.1", "resume:=true"]
         self.run_node(*parameters, env=env)
-        self.wait_for_node().run_frames(3)
-        wait_until(lambda: os.path.exists(os.path.join(default, "autosave_2.ckpt")), "autosaves")
+        node = self.wait_for_node()
+
+        def saved_twice():
+            node.run_frames(1)  # a paused node saves after a frame only
+            return os.path.exists(os.path.join(default, "autosave_2.ckpt"))
+
+        wait_until(saved_twice, "autosaves")
         self.run_node(*parameters, env=env)
         self.assertGreater(self.wait_for_node().state().frame, 0)
         self.assertNotIn("ERROR", self.log())

@@ -10,11 +10,11 @@ import roslib.packages
 import rospy
 from tf2_msgs.msg import TFMessage
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-SCRIPTS = ROOT / "examples" / "ice_ice_baby_examples" / "scripts"
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from iib.common.paths import ROOT
 from iib.ros.node import Latest, Node, wait_until
 
+SCRIPTS = ROOT / "examples" / "ice_ice_baby_examples" / "scripts"
 SPOON = "ice_ice_baby/scene/spoon"
 
 
