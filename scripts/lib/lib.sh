@@ -63,6 +63,11 @@ build_preset() {
   quietly cmake --build --preset "$preset" --parallel "$(nproc)" --target "$@"
 }
 
+# ROS finds its own servers by this name.
+require_localhost() {
+  getent hosts localhost >/dev/null || die "localhost does not resolve; add '127.0.0.1 localhost' to /etc/hosts"
+}
+
 free_port() {
   local port
   for _ in $(seq 100); do
