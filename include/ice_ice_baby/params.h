@@ -76,6 +76,7 @@ struct SolverParams {
   double epsilon = 0.01;
   double warm_start = 0.5;
   bool resist_tension = false;
+  bool coarse_level = true;
   double viscosity_1_s = 30.0;
   double max_correction_h = 0.1;
   double max_speed_m_s = 30.0;
@@ -106,6 +107,9 @@ void describe(SolverParams& p, Visitor&& visit) {
   visit("resist_tension", p.resist_tension,
         "whether density below rest is corrected too: Eq. 5 without a clamp; particles clump and "
         "may explode");
+  visit("coarse_level", p.coarse_level,
+        "whether a coarse grid carries the weight of deep water, so that the error hardly depends on "
+        "the depth (paper: false)");
   visit("viscosity_1_s", p.viscosity_1_s, Range{0.0, 1e4},
         "XSPH viscosity: rate at which a particle takes on the velocity of its neighbours; 0: off");
   visit("max_correction_h", p.max_correction_h, Range{0.0, 1.0},

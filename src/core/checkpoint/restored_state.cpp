@@ -62,6 +62,21 @@ void DensityConstraint<Real>::restore(std::size_t particles) {
 }
 
 template <class Real>
+void DisplacementProjection<Real>::restore(std::size_t particles) const {
+  requireValid(multiplier_.size() == particles && allWithin(multiplier_, -kMost, kMost),
+               "pressure of the coarse level out of range");
+  for (const Guess& guess : guess_) {
+    requireValid(within(double(guess.mu), -kMost, 0.0), "pressure of the coarse level out of range");
+  }
+}
+
+template <class Real>
+void Fluid<Real>::restore(std::size_t particles) {
+  constraint_.restore(particles);
+  if (coarse_) coarse_->restore(particles);
+}
+
+template <class Real>
 void Neighbours<Real>::restore(std::size_t particles) {
   if (particles == 0) {
     count_.clear();

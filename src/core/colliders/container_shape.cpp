@@ -97,6 +97,21 @@ NearSurfaces<Real> ContainerShape<Real>::near(const Vec3<Real>& point, Real reac
 }
 
 template <class Real>
+AlignedBox<Real> ContainerShape<Real>::room() const {
+  const Vec3<Real> radii = Vec3<Real>::Constant(this->radius);
+  AlignedBox<Real> room{inner.low - radii, inner.high + radii};
+  if (open_top) room.high.z() = inner.high.z();
+  return room;
+}
+
+template <class Real>
+bool ContainerShape<Real>::solid(const Vec3<Real>& point) const {
+  AlignedBox<Real> around{outer.low.array() + this->radius, outer.high.array() - this->radius};
+  if (open_top) around.high.z() = outer.high.z();
+  return around.holds(point) && !room().holds(point);
+}
+
+template <class Real>
 bool ContainerShape<Real>::hides(const Vec3<Real>& point, const Vec3<Real>& place,
                                  Real slack_m) const {
   if (!holds(point)) return false;

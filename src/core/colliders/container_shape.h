@@ -36,6 +36,8 @@ struct ContainerShape : ShapeBasis<Real> {
   bool hollow() const { return true; }
   bool closed() const { return !open_top; }
   bool holds(const Vec3<Real>& point) const { return middle.holds(point); }
+  bool solid(const Vec3<Real>& point) const;
+  AlignedBox<Real> room() const;
   bool hides(const Vec3<Real>& point, const Vec3<Real>& place, Real slack_m) const;
   std::optional<Rim<Real>> rim(const Vec3<Real>& point, Real reach_m) const;
 

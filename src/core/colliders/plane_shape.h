@@ -19,6 +19,12 @@ struct PlaneShape : ShapeBasis<Real> {
   /// The ground or the top of the plate, for a point above it; empty below or beside it.
   NearSurfaces<Real> near(const Vec3<Real>& point, Real reach_m) const;
 
+  bool solid(const Vec3<Real>& point) const {
+    if (infinite) return point.z() < 0;
+    const Real r = this->radius;
+    return AlignedBox<Real>{plate.low.array() + r, plate.high.array() - r}.holds(point);
+  }
+
   std::uint32_t clear(const Vec3<Real>& from, const Vec3<Real>& to, Real margin_m) const {
     const Real above = surface + margin_m;
     if (!infinite) return plate.isPassedBy(from, to, margin_m);

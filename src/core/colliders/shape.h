@@ -54,6 +54,15 @@ class Shape {
   bool holds(const Vec3<Real>& point) const {
     return ask([&](const auto& shape) { return shape.holds(point); });
   }
+  bool solid(const Vec3<Real>& point) const {
+    return ask([&](const auto& shape) { return shape.solid(point); });
+  }
+  AlignedBox<Real> room() const {
+    return ask([](const auto& shape) { return shape.room(); });
+  }
+  Real particleRadius() const {
+    return ask([](const auto& shape) { return shape.radius; });
+  }
   bool hides(const Vec3<Real>& point, const Vec3<Real>& place, Real slack_m) const {
     return ask([&](const auto& shape) { return shape.hides(point, place, slack_m); });
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "colliders/aligned_box.h"
 #include "ice_ice_baby/types.h"
 
 namespace ice_ice_baby {
@@ -45,6 +46,7 @@ struct Rim {
 ///
 ///   resolve(from, to)        nearest allowed end of the path of a particle's centre
 ///   near(point, reach)       surfaces closer than `reach` to a point, as NearSurfaces
+///   solid(point)             whether a point lies in its material
 ///   clear(from, to, margin)  1 if the path certainly stays farther than `margin` from the shape;
 ///                            branch-free, because many paths are tested at a time
 ///   faces(path, faces)       planes that the end of a path may not cross, for resting bodies
@@ -64,6 +66,11 @@ struct ShapeBasis {
   /// Whether no particle can enter or leave it.
   bool closed() const { return false; }
   bool holds(const Vec3<Real>&) const { return false; }
+  /// The space inside a hollow shape with flat walls.
+  AlignedBox<Real> room() const {
+    constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+    return {Vec3<Real>::Zero(), Vec3<Real>::Constant(kInfinity)};
+  }
   /// Whether a wall separates `place` from a point inside the shape.
   /// @param slack depth behind the wall surface up to which a place still counts as inside
   bool hides(const Vec3<Real>&, const Vec3<Real>&, Real) const { return false; }

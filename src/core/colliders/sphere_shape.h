@@ -20,6 +20,8 @@ struct SphereShape : ShapeBasis<Real> {
   /// Empty for the centre, which has no nearest surface point.
   NearSurfaces<Real> near(const Vec3<Real>& point, Real reach_m) const;
 
+  bool solid(const Vec3<Real>& point) const { return point.norm() < curvatureRadius(); }
+
   std::uint32_t clear(const Vec3<Real>& from, const Vec3<Real>& to, Real margin_m) const {
     // The sum of three lengths is an upper bound of the path length.
     const Real bound = reach + margin_m + std::abs(to.x() - from.x()) +

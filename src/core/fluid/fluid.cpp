@@ -22,6 +22,9 @@ Fluid<Real>::Fluid(const Scene& scene, const Colliders<Real>& colliders, const P
       pascal_s2_m2_(-scene.fluid.rest_density_kg_m3),
       boundary_(boundaryOf(scene, colliders)),
       constraint_(scene, boundary_ ? &*boundary_ : nullptr, phases) {
+  if (scene.solver.coarse_level && scene.solver.iterations > 0) {
+    coarse_.emplace(scene, colliders, phases);
+  }
   if (scene.solver.viscosity_1_s > 0.0 || phases) {
     viscosity_.emplace(scene, particleVolume_m3(scene.fluid, scene.supportRadius_m()), phases);
   }
@@ -40,6 +43,24 @@ void Fluid<Real>::applyViscosity(Particles<Real>& particles, const Neighbours<Re
 }
 
 template <class Real>
+void Fluid<Real>::forget() {
+  constraint_.forgetWarmStart();
+  if (coarse_) coarse_->forget();
+}
+
+template <class Real>
+void Fluid<Real>::rescale(double ratio) {
+  constraint_.rescaleWarmStart(ratio);
+  if (coarse_) coarse_->rescale(ratio);
+}
+
+template <class Real>
+void Fluid<Real>::reorder(const std::vector<Index>& order) {
+  constraint_.reorder(order);
+  if (coarse_) coarse_->reorder(order);
+}
+
+template <class Real>
 double Fluid<Real>::maxDensity() const {
   const auto densest = std::max_element(density().begin(), density().end());
   return densest != density().end() ? double(*densest) : 1.0;
@@ -47,10 +68,9 @@ double Fluid<Real>::maxDensity() const {
 
 template <class Real>
 double Fluid<Real>::elasticEnergy_j(double substeps_1_s) const {
-  const std::vector<Real>& multiplier = constraint_.multiplier();
   double sum_m2 = 0.0;
   for (std::size_t i = 0; i < density().size(); ++i) {
-    sum_m2 -= double(multiplier[i]) * std::max(0.0, double(density()[i]) - 1.0);
+    sum_m2 -= multiplier(i) * std::max(0.0, double(density()[i]) - 1.0);
   }
   return 0.5 * mass_kg_ * sum_m2 * substeps_1_s * substeps_1_s;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/stage_clock.h"
+#include "coarse/displacement_projection.h"
 #include "fluid/boundary_density.h"
 #include "fluid/density_constraint.h"
 #include "fluid/viscosity.h"
@@ -24,6 +25,15 @@ class Fluid {
 
   /// Starts a substep: moves x* by the fraction `solver.warm_start` of the latest correction.
   void beginSubstep(Particles<Real>& particles) { constraint_.warmStart(particles); }
+
+  bool hasCoarseLevel() const { return coarse_.has_value(); }
+  /// Corrects x* for what is coarser than the support radius, at a cost that hardly depends on the
+  /// depth of the water.
+  /// @param bodies rigid ice, or null
+  void projectCoarse(Particles<Real>& particles, const IceBodies<Real>* bodies,
+                     const Vec3<Real>& gravity, Real dt) {
+    coarse_->project(particles, bodies, gravity, dt);
+  }
 
   /// One iteration of Algorithm 1: lambda_i, then delta p_i, of every particle.
   void iterate(const Particles<Real>& particles, const Neighbours<Real>& neighbours);
@@ -45,11 +55,11 @@ class Fluid {
   void applyViscosity(Particles<Real>& particles, const Neighbours<Real>& neighbours, double dt_s);
 
   /// Starts the next substep without corrections of the latest one, after water was displaced.
-  void forget() { constraint_.forgetWarmStart(); }
+  void forget();
   /// Adapts to substeps that are `ratio` times as long from now on.
-  void rescale(double ratio) { constraint_.rescaleWarmStart(ratio); }
+  void rescale(double ratio);
   /// Puts particle order[k] at place k, as Particles::reorder does.
-  void reorder(const std::vector<Index>& order) { constraint_.reorder(order); }
+  void reorder(const std::vector<Index>& order);
 
   /// (n) rho_i / rho_0 of the latest iteration.
   const std::vector<Real>& density() const { return constraint_.density(); }
@@ -57,7 +67,7 @@ class Fluid {
   double maxDensity() const;
   /// Pressure equivalent to the corrections of the latest substep, Pa.
   double pressure_pa(std::size_t i, double substeps_1_s) const {
-    return pascal_s2_m2_ * substeps_1_s * substeps_1_s * double(constraint_.multiplier()[i]);
+    return pascal_s2_m2_ * substeps_1_s * substeps_1_s * multiplier(i);
   }
   /// Energy stored in compressed water, J. After few iterations water is as soft as springs of
   /// stiffness p / C, which store p V C / 2.
@@ -71,20 +81,28 @@ class Fluid {
 
   StageStats lambdaStage() const;
   StageStats deltaPStage() const { return delta_p_clock_.stats(0); }
+  std::size_t coarseBytes() const { return coarse_ ? coarse_->bytes() : 0; }
   std::size_t viscosityBytes() const { return viscosity_ ? viscosity_->bytes() : 0; }
 
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive) {
     archive(self.constraint_);
+    if (self.coarse_) archive(*self.coarse_);
   }
   /// @throws InvalidInput if the state of a checkpoint does not match the number of particles
-  void restore(std::size_t particles) { constraint_.restore(particles); }
+  void restore(std::size_t particles);
 
  private:
+  /// Of all levels, m^2.
+  double multiplier(std::size_t i) const {
+    return double(constraint_.multiplier()[i]) + (coarse_ ? double(coarse_->multiplier()[i]) : 0.0);
+  }
+
   double mass_kg_;       ///< of a particle
   double pascal_s2_m2_;  ///< -rho_0: pressure for a multiplier of 1 m^2 and substeps of 1 s
   std::optional<BoundaryDensity<Real>> boundary_;
   DensityConstraint<Real> constraint_;
+  std::optional<DisplacementProjection<Real>> coarse_;
   std::optional<Viscosity<Real>> viscosity_;
   StageClock lambda_clock_{"lambda"};
   StageClock delta_p_clock_{"delta_p"};

@@ -30,6 +30,7 @@ void applyPreset(Scene& scene, Preset preset, double spacing_m) {
   solver.epsilon = kPaperEpsilon_1_m2 * kPaperSupportRadius_m * kPaperSupportRadius_m;
   solver.warm_start = 0.0;
   solver.resist_tension = false;
+  solver.coarse_level = false;
   solver.viscosity_1_s = 0.0;
   solver.max_correction_h = 0.0;
   SpringParams& springs = scene.springs;

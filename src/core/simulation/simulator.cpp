@@ -112,6 +112,9 @@ template <class Real>
 void Simulator<Real>::substep(double dt_s) {
   const Real dt = static_cast<Real>(dt_s);
   predict_clock_.run([&] { predict(dt_s); });
+  if (fluid_->hasCoarseLevel()) coarse_clock_.run([&] { projectCoarse(dt_s); });
+  fluid_->beginSubstep(particles_);
+  if (phase_change_) phase_change_->conform(particles_.predicted);
   neighbours_clock_.run([&] { findNeighbours(); });
   if (strictness_ > 0.0) make_springs_clock_.run([&] { makeSprings(); });
   if (phase_change_) phase_change_->findContacts(particles_.predicted, neighbours_);
@@ -138,8 +141,6 @@ template <class Real>
 void Simulator<Real>::predict(double dt_s) {
   applyForcesAndPredict(static_cast<Real>(dt_s));
   if (phase_change_) phase_change_->predict(particles_, dt_s);
-  fluid_->beginSubstep(particles_);
-  if (phase_change_) phase_change_->conform(particles_.predicted);
 }
 
 template <class Real>
@@ -150,6 +151,12 @@ void Simulator<Real>::applyForcesAndPredict(Real dt) {
     particles_.velocity.set(i, v);
     particles_.predicted.set(i, particles_.position.at(i) + dt * v);
   });
+}
+
+template <class Real>
+void Simulator<Real>::projectCoarse(double dt_s) {
+  fluid_->projectCoarse(particles_, bodies(), scene_.gravity_m_s2.cast<Real>(),
+                        static_cast<Real>(dt_s));
 }
 
 template <class Real>

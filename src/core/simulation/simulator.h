@@ -80,6 +80,7 @@ class Simulator final : public Simulation {
   void substep(double dt_s);
   void predict(double dt_s);
   void applyForcesAndPredict(Real dt);
+  void projectCoarse(double dt_s);
   void findNeighbours();
   void renewNeighbours();
   void reorder(const std::vector<Index>& order);
@@ -132,6 +133,7 @@ class Simulator final : public Simulation {
   std::vector<char> displaced_;  ///< (n) scratch of separateCoincident
 
   StageClock predict_clock_{"predict"};
+  StageClock coarse_clock_{"coarse_level"};
   StageClock neighbours_clock_{"neighbours"};
   StageClock make_springs_clock_{"make_springs"};
   StageClock collide_clock_{"collide"};

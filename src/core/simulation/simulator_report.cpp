@@ -96,6 +96,7 @@ std::vector<StageStats> Simulator<Real>::stages() const {
   std::vector<StageStats> list;
   const bool iterates = scene_.solver.iterations > 0;
   list.push_back(predict_clock_.stats(particles_.bytes()));
+  if (fluid_->hasCoarseLevel()) list.push_back(coarse_clock_.stats(fluid_->coarseBytes()));
   list.push_back(neighbours_clock_.stats(neighbours_.bytes()));
   if (springs_ && !phase_change_) list.push_back(make_springs_clock_.stats(springs_->bytes()));
   if (bodies()) list.push_back(phase_change_->contactsStage());

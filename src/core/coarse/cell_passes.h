@@ -1,0 +1,73 @@
+// Vectorised inner loops over the particles of one cell of the coarse grid.
+//
+// A particle touches the 27 nodes of the 3 x 3 x 3 cells around its own by tensor products of
+// quadratic B-splines. Lengths along an axis are in units of the cell along it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ice_ice_baby {
+
+/// Nodes that a particle touches, numbered (x * 3 + y) * 3 + z.
+constexpr std::size_t kCellNodes = 27;
+/// Different entries of the normal matrix of a cell; see CellPasses::normalMatrix.
+constexpr std::size_t kCellPairs = 216;
+/// Values that a cell deposits at each of its nodes.
+constexpr std::size_t kDeposits = 3;
+
+/// Particles sorted by cell; every array is followed by lanes of padding.
+template <class Real>
+struct CellParticles {
+  std::array<std::vector<Real>, 3> place;  ///< in its cell, 0 ... 1
+  std::array<std::vector<Real>, 3> step;   ///< displacement, cells
+  std::array<std::vector<Real>, 3> free;   ///< (3 d / cell)^2, or 0 where a wall holds the particle
+  std::vector<Real> volume;                ///< relative to water
+  std::vector<Real> weight;                ///< volume squared, or 0: not in the normal matrix
+  std::vector<Real> drift2;                ///< square of dt times speed, cells^2
+
+  void resize(std::size_t n);
+  std::size_t bytes() const;
+};
+
+/// Range of particles that lie in one cell.
+struct CellRange {
+  std::size_t first, count;
+};
+
+template <class Real>
+struct CellPasses {
+  /// Sums over the particles for each node a: v grad phi_a . s, v phi_a, v phi_a drift2.
+  /// @param out (27, kDeposits)
+  void (*deposit)(const CellParticles<Real>&, CellRange, Real* out);
+  /// Sums v^2 grad phi_a . F grad phi_b, F = diag(free). An entry depends on the unordered pair of
+  /// nodes along each axis alone: number (p_x * 6 + p_y) * 6 + p_z with p of kPairAlong.
+  /// @param out (kCellPairs)
+  void (*normalMatrix)(const CellParticles<Real>&, CellRange, Real* out);
+  /// v sum_a mu_a F grad phi_a to `step`, and sum_a mu_a phi_a to `value`, of each particle.
+  /// @param mu (27)
+  void (*interpolate)(const CellParticles<Real>&, CellRange, const Real* mu,
+                      std::array<Real*, 3> step, Real* value);
+};
+
+/// Number of the unordered pair of two nodes along one axis.
+constexpr int kPairAlong[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+
+/// Lanes of padding behind the arrays of CellParticles and of the output of interpolate.
+constexpr std::size_t kCellPadding = 16;
+
+template <class Real>
+CellPasses<Real> cellPasses();
+
+/// Quadratic B-splines of the three nodes along an axis, and their slopes.
+template <class Real>
+struct SplineAlong {
+  std::array<Real, 3> value, slope;
+
+  explicit SplineAlong(Real u)
+      : value{(1 - u) * (1 - u) / 2, Real(0.75) - (u - Real(0.5)) * (u - Real(0.5)), u * u / 2},
+        slope{u - 1, 1 - 2 * u, u} {}
+};
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,177 @@
+#include "coarse/coarse_matrix.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Place in a row of the matrix of node b, seen from node a of the same cell.
+constexpr std::size_t stencilPlace(std::size_t a, std::size_t b) {
+  const std::size_t x = b / 9 + 2 - a / 9, y = b / 3 % 3 + 2 - a / 3 % 3, z = b % 3 + 2 - a % 3;
+  return (x * 5 + y) * 5 + z;
+}
+
+/// Nodes with less water than this lie inside ice. A node in water alone has 0.9.
+constexpr double kLeastWater = 0.02;
+
+struct PairTables {
+  std::array<std::array<std::uint8_t, kCellNodes>, kCellNodes> place, pair;
+  PairTables() {
+    for (std::size_t a = 0; a < kCellNodes; ++a) {
+      for (std::size_t b = 0; b < kCellNodes; ++b) {
+        place[a][b] = std::uint8_t(stencilPlace(a, b));
+        pair[a][b] = std::uint8_t((kPairAlong[a / 9][b / 9] * 6 + kPairAlong[a / 3 % 3][b / 3 % 3]) * 6 +
+                                  kPairAlong[a % 3][b % 3]);
+      }
+    }
+  }
+};
+
+const PairTables kTables;
+
+}  // namespace
+
+template <class Real>
+void CoarseMatrix<Real>::assemble(const CoarseGrids<Real>& grids, const CellPasses<Real>& passes,
+                                  const CellParticles<Real>& particles,
+                                  const std::vector<ObliqueHold<Real>>& oblique,
+                                  const std::vector<Index>& active) {
+  active_ = active;
+  row_of_.assign(grids.nodeCount(), kNone);
+  strides_.resize(active.size());
+  rows_.assign(active.size() * kStencil, Real(0));
+  for (std::size_t row = 0; row < active.size(); ++row) row_of_[active[row]] = Index(row);
+  for (const CoarseGrid<Real>& grid : grids.grids()) {
+    if (grid.empty()) continue;
+    const auto last = grid.first_node + grid.nodeCount();
+    for (auto a = std::lower_bound(active.begin(), active.end(), Index(grid.first_node));
+         a != active.end() && *a < last; ++a) {
+      strides_[std::size_t(a - active.begin())] = {grid.strideX(), grid.strideY()};
+    }
+  }
+  for (int colour = 0; colour < CoarseGrids<Real>::kColours; ++colour) {
+    const std::vector<CellPlane>& planes = grids.planes(colour);
+    parallelFor(
+        planes.size(),
+        [&](std::size_t k) { addPlane(grids, passes, particles, oblique, planes[k]); }, 1);
+  }
+  diagonal_.resize(active.size());
+  for (std::size_t row = 0; row < active.size(); ++row) {
+    diagonal_[row] = rows_[row * kStencil + kStencil / 2];
+  }
+}
+
+template <class Real>
+void CoarseMatrix<Real>::addPlane(const CoarseGrids<Real>& grids, const CellPasses<Real>& passes,
+                                  const CellParticles<Real>& particles,
+                                  const std::vector<ObliqueHold<Real>>& oblique,
+                                  const CellPlane& plane) {
+  const CoarseGrid<Real>& grid = grids.grids()[plane.grid];
+  std::array<Real, kCellPairs> pairs;
+  for (int y = 0; y < grid.cells.y(); ++y) {
+    for (int z = 0; z < grid.cells.z(); ++z) {
+      const CellRange cell = grids.particlesIn(grid.cell(plane.x, y, z));
+      if (cell.count == 0) continue;
+      const std::size_t lowest = grid.lowestNode(plane.x, y, z);
+      bool needed = false;
+      for (std::size_t k = 0; k < kCellNodes && !needed; ++k) {
+        needed = row_of_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(k))] != kNone;
+      }
+      if (!needed) continue;
+      passes.normalMatrix(particles, cell, pairs.data());
+      addCell(grid, lowest, pairs.data());
+      auto hold = std::lower_bound(
+          oblique.begin(), oblique.end(), cell.first,
+          [](const ObliqueHold<Real>& one, std::size_t first) { return one.sorted < first; });
+      for (; hold != oblique.end() && hold->sorted < cell.first + cell.count; ++hold) {
+        addOblique(grid, lowest, particles, *hold);
+      }
+    }
+  }
+}
+
+template <class Real>
+void CoarseMatrix<Real>::addCell(const CoarseGrid<Real>& grid, std::size_t lowest,
+                                 const Real* pairs) {
+  for (std::size_t a = 0; a < kCellNodes; ++a) {
+    const Index row = row_of_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))];
+    if (row == kNone) continue;
+    Real* out = rows_.data() + row * kStencil;
+    for (std::size_t b = 0; b < kCellNodes; ++b) {
+      out[kTables.place[a][b]] += pairs[kTables.pair[a][b]];
+    }
+  }
+}
+
+/// The part of a particle that is held along directions other than the axes.
+template <class Real>
+void CoarseMatrix<Real>::addOblique(const CoarseGrid<Real>& grid, std::size_t lowest,
+                                    const CellParticles<Real>& particles,
+                                    const ObliqueHold<Real>& hold) {
+  const std::size_t k = hold.sorted;
+  const SplineAlong<Real> x(particles.place[0][k]), y(particles.place[1][k]),
+      z(particles.place[2][k]);
+  const Vec3<Real> scale =
+      Vec3<Real>(particles.free[0][k], particles.free[1][k], particles.free[2][k]).cwiseSqrt();
+  std::array<Vec3<Real>, kCellNodes> slopes;
+  for (std::size_t a = 0; a < kCellNodes; ++a) {
+    const std::size_t i = a / 9, j = a / 3 % 3, l = a % 3;
+    const Vec3<Real> slope(x.slope[i] * y.value[j] * z.value[l],
+                           x.value[i] * y.slope[j] * z.value[l],
+                           x.value[i] * y.value[j] * z.slope[l]);
+    slopes[a] = particles.volume[k] * hold.project(slope.cwiseProduct(scale));
+  }
+  for (std::size_t a = 0; a < kCellNodes; ++a) {
+    const Index row = row_of_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))];
+    if (row == kNone) continue;
+    Real* out = rows_.data() + row * kStencil;
+    for (std::size_t b = 0; b < kCellNodes; ++b) {
+      out[kTables.place[a][b]] += slopes[a].dot(slopes[b]);
+    }
+  }
+}
+
+template <class Real>
+void CoarseMatrix<Real>::addBodies(const IceBodies<Real>* bodies, const Particles<Real>& particles,
+                                   double particle_kg, const CoarseGrids<Real>& grids,
+                                   const CellParticles<Real>& sorted,
+                                   const std::vector<Index>& place,
+                                   const std::vector<Real>& fill) {
+  bodies_.assemble(bodies, particles, particle_kg, grids, sorted, place, row_of_, rows());
+  if (!bodies) return;
+  bodies_.addDiagonal(diagonal_);
+  for (std::size_t row = 0; row < rows(); ++row) {
+    const Real water = rows_[row * kStencil + kStencil / 2];
+    if (water < static_cast<Real>(kLeastWater) * fill[row]) diagonal_[row] = 0;
+  }
+}
+
+template <class Real>
+void CoarseMatrix<Real>::multiply(const NodeField<Real>& x, std::vector<Real>& y) const {
+  y.resize(active_.size());
+  parallelFor(
+      active_.size(),
+      [&](std::size_t row) {
+        const Real* coefficients = rows_.data() + row * kStencil;
+        const auto [stride_x, stride_y] = strides_[row];
+        const Real* lowest = x.data() + active_[row] - 2 * (stride_x + stride_y + 1);
+        std::array<Real, 5> sums{};
+        for (int i = 0; i < 5; ++i) {
+          for (int j = 0; j < 5; ++j) {
+            const Real* line = lowest + i * stride_x + j * stride_y;
+            for (std::size_t k = 0; k < 5; ++k) sums[k] += *coefficients++ * line[k];
+          }
+        }
+        y[row] = ((sums[0] + sums[1]) + (sums[2] + sums[3])) + sums[4];
+      },
+      64);
+  bodies_.addProduct(active_, x.data(), y);
+}
+
+template class CoarseMatrix<float>;
+template class CoarseMatrix<double>;
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,97 @@
+// The coarse level of the density solve: projects the displacements of a substep so that no node of
+// a coarse grid is overfilled, before the iterations correct what is finer than the grid.
+//
+// Without it the error of a fixed number of iterations grows with the depth of the water. Deposit
+// and interpolation are adjoint and the problem is solved one-sidedly (water pushes and never
+// pulls), so the projection never adds energy. doc/algorithm.md derives it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "coarse/coarse_matrix.h"
+#include "coarse/free_volume.h"
+#include "coarse/one_sided_solver.h"
+#include "phase/phases.h"
+
+namespace ice_ice_baby {
+
+template <class Real>
+class DisplacementProjection {
+ public:
+  /// @param phases what is water, ice and steam, or null where all is water
+  DisplacementProjection(const Scene& scene, const Colliders<Real>& colliders,
+                         const Phases<Real>* phases);
+
+  /// Changes x* = x + dt v so that no node is overfilled. Velocities stay. Displacements of members
+  /// of ice bodies are those of single particles of which IceBodies::conform makes impulses.
+  /// @param bodies or null
+  void project(Particles<Real>& particles, const IceBodies<Real>* bodies, const Vec3<Real>& gravity,
+               Real dt);
+
+  /// (n) sum of mu phi, m^2: as DensityConstraint::multiplier, for the pressure.
+  const std::vector<Real>& multiplier() const { return multiplier_; }
+  /// The next projection starts without a guess.
+  void forget() { guess_.clear(); }
+  /// Adapts to substeps that are `ratio` times as long.
+  void rescale(double ratio);
+  void reorder(const std::vector<Index>& order);
+
+  std::uint64_t iterations() const { return iterations_; }
+  std::uint64_t solves() const { return solves_; }
+  std::size_t activeNodes() const { return active_.size(); }
+  std::size_t bytes() const;
+
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    archive(self.multiplier_, self.guess_);
+  }
+  /// @throws InvalidInput when what was read is not that of `particles` particles
+  void restore(std::size_t particles) const;
+
+ private:
+  /// Pressure of the latest substep at one node, for the next one to start from.
+  struct Guess {
+    std::uint64_t key;
+    Real mu;
+    template <class Self, class Archive>
+    static void exchange(Self& self, Archive& archive) {
+      archive(self.key, self.mu);
+    }
+  };
+  void gather(const Particles<Real>& particles, const IceBodies<Real>* bodies, const Vec3<Real>& gravity, Real dt);
+  void deposit();
+  void findActive(Real fall);
+  void loadGuess();
+  void keepGuess();
+  void move(Particles<Real>& particles, Real dt);
+  template <class Visit>
+  void forEachCell(const Visit& visit);
+
+  const Colliders<Real>& colliders_;
+  const Phases<Real>* phases_;
+  Real spacing_;
+  double particle_kg_;
+  CellPasses<Real> passes_ = cellPasses<Real>();
+  CoarseGrids<Real> grids_;
+  FreeVolume<Real> free_volume_;
+  CellParticles<Real> sorted_;
+  std::vector<Index> place_;                ///< (n) in the order of the grids, if there is ice
+  std::vector<char> held_;                  ///< (n) whether a wall touches the particle
+  std::vector<ObliqueHold<Real>> oblique_;  ///< by place in the order
+  std::vector<Real> deposits_;              ///< (nodes, kDeposits)
+  std::vector<Index> active_;
+  std::vector<Real> excess_;                ///< (active) room - R, negative where overfilled
+  std::vector<Real> fill_;                  ///< (active) particles
+  CoarseMatrix<Real> matrix_;
+  OneSidedSolver<Real> solver_;
+  NodeField<Real> mu_;
+  std::array<std::vector<Real>, 3> moved_;  ///< (sorted) cells
+  std::vector<Real> value_;                 ///< (sorted)
+  std::vector<Real> multiplier_;            ///< (n)
+  std::vector<Guess> guess_;
+  std::vector<Real> scratch_;
+  std::uint64_t iterations_ = 0, solves_ = 0;
+};
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,79 @@
+#include "coarse/held_particles.h"
+
+#include <cmath>
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Gap to a wall, in spacings, below which a particle touches it.
+constexpr double kTouch_d = 0.01;
+/// Cosine of the angle to an axis from which on a normal is that axis.
+constexpr double kAligned = 0.99999;
+
+template <class Real>
+void hold(Hold<Real>& particle, const Vec3<Real>& into) {
+  int axis;
+  if (std::abs(into[0]) > Real(kAligned) || std::abs(into[1]) > Real(kAligned) ||
+      std::abs(into[2]) > Real(kAligned)) {
+    into.cwiseAbs().maxCoeff(&axis);
+    particle.free[axis] = 0;
+    return;
+  }
+  ObliqueHold<Real>& oblique = particle.oblique;
+  if (oblique.count == 3) return;
+  const Vec3<Real> rest = oblique.project(into);
+  if (rest.squaredNorm() < Real(1e-4)) return;
+  oblique.normal[std::size_t(oblique.count++)] = rest.normalized();
+}
+
+}  // namespace
+
+template <class Real>
+Hold<Real> holdAtWalls(const Colliders<Real>& colliders, const Pose<Real>& grid, Real spacing_m,
+                       const Vec3<Real>& from, const Vec3<Real>& step, Real held_m) {
+  Hold<Real> particle;
+  particle.step = step;
+  const Real touch = static_cast<Real>(kTouch_d) * spacing_m;
+  const Real reach = spacing_m / 2 + touch;
+  for (const MovingShape<Real>& collider : colliders) {
+    const Vec3<Real> local = collider.motion.from.toLocal(from);
+    const NearSurfaces<Real> near = collider.shape.near(local, reach);
+    if (near.count == 0) continue;
+    const Vec3<Real> carried = collider.motion.to.toWorld(local) - from;
+    for (const NearSurface<Real>& surface : near) {
+      const Vec3<Real> into =
+          -(grid.rotation.transpose() * (collider.motion.from.rotation * surface.normal));
+      const Real moved = into.dot(grid.rotation.transpose() * carried);
+      const Real presses = into.dot(particle.step) - moved;
+      if (presses <= 0) continue;
+      particle.step -= presses * into;
+      if (into.dot(step) - moved > held_m) hold(particle, into);
+    }
+  }
+  if (particle.oblique.count > 0) {
+    // All in one projection: an axis that is held too is one of its normals.
+    Hold<Real> axes;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (particle.free[axis] != 0) continue;
+      axes.oblique.normal[std::size_t(axes.oblique.count++)] = Vec3<Real>::Unit(axis);
+    }
+    for (int k = 0; k < particle.oblique.count && axes.oblique.count < 3; ++k) {
+      const Vec3<Real> rest = axes.oblique.project(particle.oblique.normal[std::size_t(k)]);
+      if (rest.squaredNorm() < Real(1e-4)) continue;
+      axes.oblique.normal[std::size_t(axes.oblique.count++)] = rest.normalized();
+    }
+    particle.oblique = axes.oblique;
+    particle.free.setOnes();
+  }
+  return particle;
+}
+
+template struct Hold<float>;
+template struct Hold<double>;
+template Hold<float> holdAtWalls(const Colliders<float>&, const Pose<float>&, float,
+                                 const Vec3<float>&, const Vec3<float>&, float);
+template Hold<double> holdAtWalls(const Colliders<double>&, const Pose<double>&, double,
+                                  const Vec3<double>&, const Vec3<double>&, double);
+
+}  // namespace ice_ice_baby
