@@ -68,6 +68,7 @@ void deposit(const CellParticles<Real>& in, CellRange cell, Real* out) {
     const auto step_y = hn::Mul(volume, hn::LoadU(d, in.step[1].data() + at));
     const auto step_z = hn::Mul(volume, hn::LoadU(d, in.step[2].data() + at));
     const auto drift2 = hn::LoadU(d, in.drift2.data() + at);
+    const auto density = hn::LoadU(d, in.density.data() + at);
     for (std::size_t b = 0; b < 3; ++b) {
       for (std::size_t c = 0; c < 3; ++c) {
         const auto yz = hn::Mul(y.value[b], z.value[c]);
@@ -83,6 +84,7 @@ void deposit(const CellParticles<Real>& in, CellRange cell, Real* out) {
           hn::Store(flow, d, sum);
           hn::Store(hn::Add(hn::Load(d, sum + kLanes), fill), d, sum + kLanes);
           hn::Store(hn::MulAdd(fill, drift2, hn::Load(d, sum + 2 * kLanes)), d, sum + 2 * kLanes);
+          hn::Store(hn::MulAdd(fill, density, hn::Load(d, sum + 3 * kLanes)), d, sum + 3 * kLanes);
         }
       }
     }
@@ -120,8 +122,8 @@ void normalMatrix(const CellParticles<Real>& in, CellRange cell, Real* out) {
         const auto yz_slope = hn::MulAdd(yy_slope, zz[r], hn::Mul(yy, zz_slope[r]));
         for (int p = 0; p < 6; ++p) {
           Real* sum = sums + std::size_t((p * 6 + q) * 6 + r) * kLanes;
-          hn::Store(
-              hn::MulAdd(xx_slope[p], yz, hn::MulAdd(xx[p], yz_slope, hn::Load(d, sum))), d, sum);
+          hn::Store(hn::MulAdd(xx_slope[p], yz, hn::MulAdd(xx[p], yz_slope, hn::Load(d, sum))), d,
+                    sum);
         }
       }
     }
@@ -131,7 +133,7 @@ void normalMatrix(const CellParticles<Real>& in, CellRange cell, Real* out) {
 
 template <class Real>
 void interpolate(const CellParticles<Real>& in, CellRange cell, const Real* mu,
-                 std::array<Real*, 3> step, Real* value) {
+                 std::array<Real*, 3> slope, Real* value) {
   const CellLanes<Real> d;
   constexpr std::size_t kLanes = hn::MaxLanes(d);
   for (std::size_t k = 0; k < cell.count; k += kLanes) {
@@ -163,8 +165,7 @@ void interpolate(const CellParticles<Real>& in, CellRange cell, const Real* mu,
     const auto volume = hn::LoadU(d, in.volume.data() + at);
     const hn::Vec<decltype(d)> along[3] = {along_x, along_y, along_z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto free = hn::Mul(volume, hn::LoadU(d, in.free[axis].data() + at));
-      hn::BlendedStore(hn::Mul(free, along[axis]), mask, d, step[axis] + at);
+      hn::BlendedStore(hn::Mul(volume, along[axis]), mask, d, slope[axis] + at);
     }
     hn::BlendedStore(sum, mask, d, value + at);
   }
@@ -203,12 +204,12 @@ void CellParticles<Real>::resize(std::size_t n) {
   for (auto* axes : {&place, &step, &free}) {
     for (std::vector<Real>& axis : *axes) axis.resize(n + kCellPadding);
   }
-  for (auto* values : {&volume, &weight, &drift2}) values->resize(n + kCellPadding);
+  for (auto* values : {&volume, &weight, &drift2, &density}) values->resize(n + kCellPadding);
 }
 
 template <class Real>
 std::size_t CellParticles<Real>::bytes() const {
-  return 12 * volume.capacity() * sizeof(Real);
+  return 13 * volume.capacity() * sizeof(Real);
 }
 
 template struct CellParticles<float>;

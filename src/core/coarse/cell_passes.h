@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "ice_ice_baby/types.h"
+
 namespace ice_ice_baby {
 
 /// Nodes that a particle touches, numbered (x * 3 + y) * 3 + z.
@@ -15,7 +17,7 @@ constexpr std::size_t kCellNodes = 27;
 /// Different entries of the normal matrix of a cell; see CellPasses::normalMatrix.
 constexpr std::size_t kCellPairs = 216;
 /// Values that a cell deposits at each of its nodes.
-constexpr std::size_t kDeposits = 3;
+constexpr std::size_t kDeposits = 4;
 
 /// Particles sorted by cell; every array is followed by lanes of padding.
 template <class Real>
@@ -26,10 +28,17 @@ struct CellParticles {
   std::vector<Real> volume;                ///< relative to water
   std::vector<Real> weight;                ///< volume squared, or 0: not in the normal matrix
   std::vector<Real> drift2;                ///< square of dt times speed, cells^2
+  std::vector<Real> density;               ///< relative to water at rest
 
   void resize(std::size_t n);
   std::size_t bytes() const;
 };
+
+/// 3 d / cell along each axis for particle k, unless a wall holds it along that axis.
+template <class Real>
+Vec3<Real> scaleOf(const CellParticles<Real>& particles, std::size_t k) {
+  return Vec3<Real>(particles.free[0][k], particles.free[1][k], particles.free[2][k]).cwiseSqrt();
+}
 
 /// Range of particles that lie in one cell.
 struct CellRange {
@@ -38,17 +47,18 @@ struct CellRange {
 
 template <class Real>
 struct CellPasses {
-  /// Sums over the particles for each node a: v grad phi_a . s, v phi_a, v phi_a drift2.
+  /// Sums over the particles for each node a: v grad phi_a . s, and v phi_a times 1, drift2 and
+  /// density.
   /// @param out (27, kDeposits)
   void (*deposit)(const CellParticles<Real>&, CellRange, Real* out);
   /// Sums v^2 grad phi_a . F grad phi_b, F = diag(free). An entry depends on the unordered pair of
   /// nodes along each axis alone: number (p_x * 6 + p_y) * 6 + p_z with p of kPairAlong.
   /// @param out (kCellPairs)
   void (*normalMatrix)(const CellParticles<Real>&, CellRange, Real* out);
-  /// v sum_a mu_a F grad phi_a to `step`, and sum_a mu_a phi_a to `value`, of each particle.
+  /// v sum_a mu_a grad phi_a to `slope`, and sum_a mu_a phi_a to `value`, of each particle.
   /// @param mu (27)
   void (*interpolate)(const CellParticles<Real>&, CellRange, const Real* mu,
-                      std::array<Real*, 3> step, Real* value);
+                      std::array<Real*, 3> slope, Real* value);
 };
 
 /// Number of the unordered pair of two nodes along one axis.

@@ -8,8 +8,8 @@ template <class Real>
 void CoarseBodies<Real>::assemble(const IceBodies<Real>* bodies, const Particles<Real>& particles,
                                   double particle_kg, const CoarseGrids<Real>& grids,
                                   const CellParticles<Real>& sorted,
-                                  const std::vector<Index>& place,
-                                  const std::vector<Index>& row_of, std::size_t rows) {
+                                  const std::vector<Index>& place, const std::vector<Index>& row_of,
+                                  std::size_t rows) {
   bodies_.clear();
   pushes_.clear();
   if (!bodies) return;
@@ -36,9 +36,7 @@ void CoarseBodies<Real>::addMember(const CoarseGrid<Real>& grid, const CellParti
                                    std::size_t k, std::size_t lowest, const Vec3d& arm,
                                    const std::vector<Index>& row_of) {
   const SplineAlong<Real> x(sorted.place[0][k]), y(sorted.place[1][k]), z(sorted.place[2][k]);
-  const Vec3<Real> scale =
-      Vec3<Real>(sorted.free[0][k], sorted.free[1][k], sorted.free[2][k]).cwiseSqrt() *
-      sorted.volume[k];
+  const Vec3<Real> scale = scaleOf(sorted, k) * sorted.volume[k];
   for (std::size_t a = 0; a < kCellNodes; ++a) {
     const Index row = row_of[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))];
     if (row == kNone) continue;
@@ -46,7 +44,8 @@ void CoarseBodies<Real>::addMember(const CoarseGrid<Real>& grid, const CellParti
     const Vec3<Real> slope(x.slope[i] * y.value[j] * z.value[l],
                            x.value[i] * y.slope[j] * z.value[l],
                            x.value[i] * y.value[j] * z.slope[l]);
-    const Vec3d force = (grid.region.frame.rotation * slope.cwiseProduct(scale)).template cast<double>();
+    const Vec3d force =
+        (grid.region.frame.rotation * slope.cwiseProduct(scale)).template cast<double>();
     if (push_of_[row] == kNone) {
       push_of_[row] = Index(pushes_.size());
       pushes_.push_back({row, Vec3d::Zero(), Vec3d::Zero()});

@@ -1,4 +1,5 @@
-// Rigid ice in the coarse level: a body moves as one, so its part of the normal matrix has rank six.
+// Rigid ice in the coarse level: a body moves as one, so its part of the normal matrix has rank
+// six.
 #pragma once
 
 #include <vector>
@@ -15,10 +16,10 @@ class CoarseBodies {
   /// @param bodies or null. Bodies that are held have no part
   /// @param place (n) place of each particle in the order of the grids; kNone: in no cell
   /// @param row_of (nodes) number among the active nodes, or kNone
-  void assemble(const IceBodies<Real>* bodies, const Particles<Real>& particles,
-                double particle_kg, const CoarseGrids<Real>& grids,
-                const CellParticles<Real>& sorted, const std::vector<Index>& place,
-                const std::vector<Index>& row_of, std::size_t rows);
+  void assemble(const IceBodies<Real>* bodies, const Particles<Real>& particles, double particle_kg,
+                const CoarseGrids<Real>& grids, const CellParticles<Real>& sorted,
+                const std::vector<Index>& place, const std::vector<Index>& row_of,
+                std::size_t rows);
 
   /// y += A x for the part of the bodies. @param x at nodes @param y (active)
   void addProduct(const std::vector<Index>& active, const Real* x, std::vector<Real>& y) const;

@@ -15,6 +15,14 @@ constexpr double kCellsPerParticle = 1.0;
 constexpr std::size_t kFreeCells = 4096;
 constexpr std::int32_t kFarthestCell = 1 << 28;
 
+/// The sides of boxes lie at multiples of this many cells, so that they seldom change.
+constexpr int kBoxStep = 4;
+
+std::array<int, 2> roundOut(int low, int high) {
+  const auto down = [](int at) { return (at - (at < 0 ? kBoxStep - 1 : 0)) / kBoxStep * kBoxStep; };
+  return {down(low), down(high) + kBoxStep - 1};
+}
+
 /// Frame of the world's grid: an upright ground lies between two layers of cells.
 template <class Real>
 Pose<Real> worldFrame(const Scene& scene) {
@@ -44,8 +52,7 @@ CoarseGrids<Real>::CoarseGrids(const Scene& scene, const Colliders<Real>& collid
   };
   std::stable_sort(by_size_.begin(), by_size_.end(),
                    [&](std::size_t a, std::size_t b) { return size(a) < size(b); });
-  grids_.push_back(
-      {{kNone, worldFrame<Real>(scene), Vec3<Real>::Constant(cell_m_), unbounded}});
+  grids_.push_back({{kNone, worldFrame<Real>(scene), Vec3<Real>::Constant(cell_m_), unbounded}});
 }
 
 /// As near to the edge of any cell as a whole number of cells between the walls allows.
@@ -113,7 +120,7 @@ void CoarseGrids<Real>::locate(const VectorField<Real>& position,
   });
 }
 
-/// The boxes that hold all particles, or less where these have too many cells.
+/// The boxes that just hold all particles, or less where these have too many cells.
 template <class Real>
 void CoarseGrids<Real>::chooseBoxes(std::size_t particles) {
   const Eigen::Vector3i none = Eigen::Vector3i::Constant(std::numeric_limits<int>::max());
@@ -128,9 +135,11 @@ void CoarseGrids<Real>::chooseBoxes(std::size_t particles) {
   }
   for (std::size_t g = 0; g < grids_.size(); ++g) {
     const bool empty = low[g].x() > high[g].x();
-    grids_[g].low = empty ? Eigen::Vector3i::Zero() : low[g];
-    grids_[g].cells = empty ? Eigen::Vector3i::Zero()
-                            : Eigen::Vector3i(high[g] - low[g] + Eigen::Vector3i::Ones());
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto [first, last] = roundOut(low[g][axis], high[g][axis]);
+      grids_[g].low[axis] = empty ? 0 : first;
+      grids_[g].cells[axis] = empty ? 0 : last - first + 1;
+    }
   }
   shrink(std::size_t(kCellsPerParticle * double(particles)) + kFreeCells);
 }
@@ -213,13 +222,49 @@ void CoarseGrids<Real>::countingSort() {
   start_.back() = Index(sorted);
 }
 
+template <class Real>
+void CoarseGrids<Real>::markSupported(const std::vector<char>& supported) {
+  supported_.assign(start_.size() - 1, false);
+  flood_.clear();
+  const auto visit = [&](Index g, int x, int y, int z) {
+    const std::size_t cell = grids_[g].cell(x, y, z);
+    if (supported_[cell] || start_[cell + 1] == start_[cell]) return;
+    supported_[cell] = true;
+    flood_.push_back({std::int32_t(g), x, y, z});
+  };
+  for (const Index i : order_) {
+    if (!supported[i]) continue;
+    const Eigen::Vector3i& low = gridOf(i).low;
+    visit(grid_of_[i], cell_at_[0][i] - low.x(), cell_at_[1][i] - low.y(),
+          cell_at_[2][i] - low.z());
+  }
+  while (!flood_.empty()) {
+    const auto [g, x, y, z] = flood_.back();
+    flood_.pop_back();
+    const Eigen::Vector3i last = grids_[std::size_t(g)].cells - Eigen::Vector3i::Ones();
+    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, last.x()); ++i) {
+      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, last.y()); ++j) {
+        for (int k = std::max(z - 1, 0); k <= std::min(z + 1, last.z()); ++k) {
+          visit(Index(g), i, j, k);
+        }
+      }
+    }
+  }
+}
+
+template <class Real>
+const CoarseGrid<Real>& CoarseGrids<Real>::gridOfNode(std::size_t node) const {
+  std::size_t g = grids_.size() - 1;
+  while (grids_[g].empty() || grids_[g].first_node > node) --g;
+  return grids_[g];
+}
+
 /// 7 bits for the grid and 19 for each coordinate; far nodes may share a key, which only makes a
 /// guess worse.
 template <class Real>
 std::uint64_t CoarseGrids<Real>::nodeKey(std::size_t node) const {
-  std::size_t g = grids_.size() - 1;
-  while (grids_[g].empty() || grids_[g].first_node > node) --g;
-  const CoarseGrid<Real>& grid = grids_[g];
+  const CoarseGrid<Real>& grid = gridOfNode(node);
+  const auto g = std::size_t(&grid - grids_.data());
   const auto local = std::ptrdiff_t(node - grid.first_node);
   const Eigen::Vector3i at =
       grid.low + Eigen::Vector3i(int(local / grid.strideX()),

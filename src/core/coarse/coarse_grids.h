@@ -43,8 +43,8 @@ struct CoarseGrid {
   std::ptrdiff_t strideY() const { return nodes().z(); }
   std::size_t nodeCount() const { return std::size_t(strideX()) * std::size_t(nodes().x()); }
   std::size_t cell(int x, int y, int z) const {
-    return first_cell + (std::size_t(x) * std::size_t(cells.y()) + std::size_t(y)) *
-                            std::size_t(cells.z()) +
+    return first_cell +
+           (std::size_t(x) * std::size_t(cells.y()) + std::size_t(y)) * std::size_t(cells.z()) +
            std::size_t(z);
   }
   /// The lowest of the 27 nodes of a cell.
@@ -81,6 +81,7 @@ class CoarseGrids {
   const std::vector<Index>& order() const { return order_; }
   /// Grid of particle i.
   const CoarseGrid<Real>& gridOf(Index i) const { return grids_[grid_of_[i]]; }
+  const CoarseGrid<Real>& gridOfNode(std::size_t node) const;
   /// The lowest node of the cell of particle i.
   std::size_t lowestNodeOf(Index i) const {
     const CoarseGrid<Real>& grid = gridOf(i);
@@ -90,10 +91,14 @@ class CoarseGrids {
   /// Place of particle i in its cell, 0 ... 1.
   Real placeOf(Index i, std::size_t axis) const { return inside_[axis][i]; }
   CellRange particlesIn(std::size_t cell) const {
-    return {start_[cell], start_[cell + 1] - start_[cell]};
+    return {start_[cell], supported_[cell] ? start_[cell + 1] - start_[cell] : 0};
   }
   /// Edge of a cell that is not fitted between walls.
   Real cell_m() const { return cell_m_; }
+  /// Leaves out all water that is not connected to a supported particle: in free flight nothing
+  /// presses on water, so it needs no coarse level.
+  /// @param supported (n)
+  void markSupported(const std::vector<char>& supported);
   std::size_t nodeCount() const { return node_count_; }
   /// Values at nodes are preceded and followed by this many zeros, so that the stencil of every
   /// node lies in the array.
@@ -116,12 +121,14 @@ class CoarseGrids {
   double cell_d_m_;
   Real cell_m_;
   std::vector<CoarseGrid<Real>> grids_;
-  std::vector<std::size_t> by_size_;         ///< grids of containers, the smallest first
-  std::vector<Index> grid_of_;       ///< (n)
+  std::vector<std::size_t> by_size_;                  ///< grids of containers, the smallest first
+  std::vector<Index> grid_of_;                        ///< (n)
   std::array<std::vector<std::int32_t>, 3> cell_at_;  ///< (n) cell coordinates
-  std::array<std::vector<Real>, 3> inside_;  ///< (n) place in the cell
-  std::vector<Index> cell_of_;               ///< (n) kNone: in no cell
-  std::vector<Index> start_;                 ///< (cells + 1)
+  std::array<std::vector<Real>, 3> inside_;           ///< (n) place in the cell
+  std::vector<Index> cell_of_;                        ///< (n) kNone: in no cell
+  std::vector<std::array<std::int32_t, 4>> flood_;    ///< grid and cell still to visit
+  std::vector<Index> start_;                          ///< (cells + 1)
+  std::vector<char> supported_;                       ///< (cells)
   std::vector<Index> order_;
   std::array<std::vector<CellPlane>, kColours> planes_;
   std::size_t node_count_ = 0;

@@ -23,8 +23,9 @@ struct PairTables {
     for (std::size_t a = 0; a < kCellNodes; ++a) {
       for (std::size_t b = 0; b < kCellNodes; ++b) {
         place[a][b] = std::uint8_t(stencilPlace(a, b));
-        pair[a][b] = std::uint8_t((kPairAlong[a / 9][b / 9] * 6 + kPairAlong[a / 3 % 3][b / 3 % 3]) * 6 +
-                                  kPairAlong[a % 3][b % 3]);
+        pair[a][b] =
+            std::uint8_t((kPairAlong[a / 9][b / 9] * 6 + kPairAlong[a / 3 % 3][b / 3 % 3]) * 6 +
+                         kPairAlong[a % 3][b % 3]);
       }
     }
   }
@@ -114,8 +115,7 @@ void CoarseMatrix<Real>::addOblique(const CoarseGrid<Real>& grid, std::size_t lo
   const std::size_t k = hold.sorted;
   const SplineAlong<Real> x(particles.place[0][k]), y(particles.place[1][k]),
       z(particles.place[2][k]);
-  const Vec3<Real> scale =
-      Vec3<Real>(particles.free[0][k], particles.free[1][k], particles.free[2][k]).cwiseSqrt();
+  const Vec3<Real> scale = scaleOf(particles, k);
   std::array<Vec3<Real>, kCellNodes> slopes;
   for (std::size_t a = 0; a < kCellNodes; ++a) {
     const std::size_t i = a / 9, j = a / 3 % 3, l = a % 3;
@@ -138,8 +138,7 @@ template <class Real>
 void CoarseMatrix<Real>::addBodies(const IceBodies<Real>* bodies, const Particles<Real>& particles,
                                    double particle_kg, const CoarseGrids<Real>& grids,
                                    const CellParticles<Real>& sorted,
-                                   const std::vector<Index>& place,
-                                   const std::vector<Real>& fill) {
+                                   const std::vector<Index>& place, const std::vector<Real>& fill) {
   bodies_.assemble(bodies, particles, particle_kg, grids, sorted, place, row_of_, rows());
   if (!bodies) return;
   bodies_.addDiagonal(diagonal_);

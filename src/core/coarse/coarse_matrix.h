@@ -40,8 +40,8 @@ class CoarseMatrix {
   /// directions that are free. Members of ice bodies count as those; see addBodies.
   /// @param active ascending numbers of nodes
   void assemble(const CoarseGrids<Real>& grids, const CellPasses<Real>& passes,
-                const CellParticles<Real>& particles,
-                const std::vector<ObliqueHold<Real>>& oblique, const std::vector<Index>& active);
+                const CellParticles<Real>& particles, const std::vector<ObliqueHold<Real>>& oblique,
+                const std::vector<Index>& active);
 
   /// The part of rigid ice, after assemble. See CoarseBodies::assemble. Nodes inside ice, where a
   /// pressure moves nothing, get a diagonal of 0.
@@ -68,13 +68,13 @@ class CoarseMatrix {
   void addOblique(const CoarseGrid<Real>& grid, std::size_t lowest,
                   const CellParticles<Real>& particles, const ObliqueHold<Real>& hold);
   void addPlane(const CoarseGrids<Real>& grids, const CellPasses<Real>& passes,
-                const CellParticles<Real>& particles,
-                const std::vector<ObliqueHold<Real>>& oblique, const CellPlane& plane);
+                const CellParticles<Real>& particles, const std::vector<ObliqueHold<Real>>& oblique,
+                const CellPlane& plane);
 
   std::vector<Index> active_;
   std::vector<std::array<std::ptrdiff_t, 2>> strides_;  ///< (active) of its grid, x and y
   std::vector<Index> row_of_;                           ///< (nodes) kNone: inactive
-  std::vector<Real> diagonal_;  ///< (active)
+  std::vector<Real> diagonal_;                          ///< (active)
   CoarseBodies<Real> bodies_;
   std::vector<Real> rows_;  ///< (active, 5, 5, 5) by the offset of the other node
 };

@@ -11,8 +11,12 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Room that is left at a node: fast water is less ordered than a lattice and needs more of it.
-constexpr double kLeastMargin = 0.05, kMostMargin = 0.20;
+/// Water inside may be this much less dense than at rest and still counts as full.
+constexpr double kSlack = 0.003;
+/// At the surface a node counts as full with this much room left: fast and slow water.
+constexpr double kFastMargin = 0.05, kSlowMargin = 0.20;
+/// A node lies inside if all nodes around it are filled to this share.
+constexpr double kInside = 0.7;
 /// A node is fast beyond this many displacements by gravity in a substep.
 constexpr double kFast_falls = 3.0;
 /// Share of the displacement by gravity in a substep from which on a wall holds a particle.
@@ -52,12 +56,13 @@ void DisplacementProjection<Real>::forEachCell(const Visit& visit) {
 
 template <class Real>
 void DisplacementProjection<Real>::project(Particles<Real>& particles,
-                                           const IceBodies<Real>* bodies, const Vec3<Real>& gravity,
-                                           Real dt) {
+                                           const IceBodies<Real>* bodies,
+                                           const std::vector<Real>& density,
+                                           const Vec3<Real>& gravity, Real dt) {
   multiplier_.assign(particles.size(), Real(0));
   grids_.sort(particles.position, colliders_);
   free_volume_.update(grids_, colliders_);
-  gather(particles, bodies, gravity, dt);
+  gather(particles, bodies, density, gravity, dt);
   deposit();
   findActive(gravity.norm() * dt * dt / grids_.cell_m());
   mu_.reset(grids_.nodeCount(), grids_.nodePadding());
@@ -77,19 +82,20 @@ void DisplacementProjection<Real>::project(Particles<Real>& particles,
 template <class Real>
 void DisplacementProjection<Real>::gather(const Particles<Real>& particles,
                                           const IceBodies<Real>* bodies,
+                                          const std::vector<Real>& density,
                                           const Vec3<Real>& gravity, Real dt) {
   const std::vector<Index>& order = grids_.order();
   const Real cell = grids_.cell_m();
   const Real held_m = static_cast<Real>(kHeld_falls) * gravity.norm() * dt * dt;
   sorted_.resize(order.size());
-  held_.assign(particles.size(), false);
+  touches_.assign(particles.size(), false);
   if (bodies) place_.assign(particles.size(), kNone);
   const VectorField<Real>& x = particles.position;
   if (!colliders_.empty()) {
     const Real margin = static_cast<Real>(0.01) * spacing_;
     parallelForRanges(particles.size(), [&](std::size_t first, std::size_t last) {
       forEachNear(colliders_, Paths<Real>{x, x}, margin, first, last,
-                  [&](std::size_t i) { held_[i] = true; });
+                  [&](std::size_t i) { touches_[i] = true; });
     });
   }
   parallelFor(order.size(), [&](std::size_t k) {
@@ -104,9 +110,9 @@ void DisplacementProjection<Real>::gather(const Particles<Real>& particles,
     const Real volume = phases_ ? phases_->relativeVolume()[i] : Real(1);
     sorted_.drift2[k] = before.squaredNorm() / (cell * cell);
     sorted_.volume[k] = volume;
+    sorted_.density[k] = member ? Real(1) : density[i];
     sorted_.weight[k] = member ? Real(0) : volume * volume;
     if (bodies) place_[i] = Index(k);
-    if (member) held_[i] = false;
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = std::size_t(axis);
       sorted_.place[a][k] = grids_.placeOf(i, a);
@@ -116,25 +122,30 @@ void DisplacementProjection<Real>::gather(const Particles<Real>& particles,
     }
   });
   oblique_.clear();
-  if (colliders_.empty()) return;
+  pressed_.assign(particles.size(), false);
   for (std::size_t k = 0; k < order.size(); ++k) {
     const Index i = order[k];
-    if (!held_[i]) continue;
-    const CoarseGrid<Real>& grid = grids_.gridOf(i);
-    const Vec3<Real> step =
-        grid.region.frame.rotation.transpose() * (dt * particles.velocity.at(i));
-    Hold<Real> hold =
-        holdAtWalls(colliders_, grid.region.frame, spacing_, x.at(i), step, held_m);
+    if (!touches_[i]) continue;
+    if (sorted_.weight[k] == 0) {  // ice, whose contacts are its own
+      pressed_[i] = true;
+      touches_[i] = false;
+      continue;
+    }
+    const CoarseRegion<Real>& region = grids_.gridOf(i).region;
+    const Vec3<Real> step = region.frame.rotation.transpose() * (dt * particles.velocity.at(i));
+    Hold<Real> hold = holdAtWalls(colliders_, region.frame, spacing_, x.at(i), step, held_m);
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = std::size_t(axis);
-      sorted_.step[a][k] = hold.step[axis] / grid.region.cell_m[axis];
+      sorted_.step[a][k] = hold.step[axis] / region.cell_m[axis];
       sorted_.free[a][k] *= hold.free[axis];
     }
+    pressed_[i] = hold.oblique.count > 0 || hold.free != Vec3<Real>::Ones();
     if (hold.oblique.count == 0) continue;
     hold.oblique.sorted = Index(k);
     oblique_.push_back(hold.oblique);
     sorted_.weight[k] = 0;
   }
+  grids_.markSupported(pressed_);
 }
 
 template <class Real>
@@ -144,8 +155,8 @@ void DisplacementProjection<Real>::deposit() {
     std::array<Real, kCellNodes * kDeposits> sums;
     passes_.deposit(sorted_, cell, sums.data());
     for (std::size_t a = 0; a < kCellNodes; ++a) {
-      Real* out = deposits_.data() +
-                  std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a)) * kDeposits;
+      Real* out =
+          deposits_.data() + std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a)) * kDeposits;
       for (std::size_t k = 0; k < kDeposits; ++k) out[k] += sums[a * kDeposits + k];
     }
   });
@@ -165,15 +176,39 @@ void DisplacementProjection<Real>::findActive(Real fall) {
     if (!(fill > 0)) continue;
     const Real speed = std::sqrt(deposits_[node * kDeposits + 2] / fill);
     const Real calm = fast > 0 ? std::clamp(2 - speed / fast, Real(0), Real(1)) : Real(0);
-    const Real margin = static_cast<Real>(kLeastMargin) +
-                        static_cast<Real>(kMostMargin - kLeastMargin) * calm;
-    const Real room = std::max(Real(0), (1 - margin) * rest[node] - fill);
-    const Real b = room - flow;
+    const bool inside = interior(node);
+    if (!inside && calm == 0) continue;
+    const Real margin =
+        static_cast<Real>(kFastMargin) + static_cast<Real>(kSlowMargin - kFastMargin) * calm;
+    const Real room = inside
+                          ? (1 - static_cast<Real>(kSlack)) * fill - deposits_[node * kDeposits + 3]
+                          : (1 - margin) * rest[node] - fill;
+    const Real b = std::max(Real(0), room) - flow;
     if (room > 0 && b >= 0) continue;
     active_.push_back(Index(node));
     excess_.push_back(b);
     fill_.push_back(fill);
   }
+}
+
+template <class Real>
+bool DisplacementProjection<Real>::interior(std::size_t node) const {
+  const CoarseGrid<Real>& grid = grids_.gridOfNode(node);
+  const std::vector<Real>& rest = free_volume_.atNodes();
+  const auto full = [&](std::ptrdiff_t offset) {
+    const std::ptrdiff_t other = std::ptrdiff_t(node) + offset;
+    if (other < 0 || other >= std::ptrdiff_t(rest.size())) return false;
+    return deposits_[std::size_t(other) * kDeposits + 1] >=
+           static_cast<Real>(kInside) * rest[std::size_t(other)];
+  };
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        if (!full(x * grid.strideX() + y * grid.strideY() + z)) return false;
+      }
+    }
+  }
+  return true;
 }
 
 /// Both lists ascend by node, and the key of a node does not depend on the boxes.
@@ -199,47 +234,72 @@ void DisplacementProjection<Real>::keepGuess() {
 
 template <class Real>
 void DisplacementProjection<Real>::move(Particles<Real>& particles, Real dt) {
-  const std::vector<Index>& order = grids_.order();
-  const Real cell = grids_.cell_m();
-  for (std::vector<Real>& axis : moved_) axis.assign(order.size() + kCellPadding, Real(0));
-  value_.assign(order.size() + kCellPadding, Real(0));
-  if (!active_.empty()) {
-    forEachCell([&](const CoarseGrid<Real>& grid, CellRange range, std::size_t lowest) {
-      std::array<Real, kCellNodes> mu;
-      bool pushed = false;
-      for (std::size_t a = 0; a < kCellNodes; ++a) {
-        mu[a] = mu_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))];
-        pushed = pushed || mu[a] != 0;
-      }
-      if (!pushed) return;
-      passes_.interpolate(sorted_, range, mu.data(),
-                          {moved_[0].data(), moved_[1].data(), moved_[2].data()}, value_.data());
-    });
-  }
-  for (const ObliqueHold<Real>& hold : oblique_) {
-    const std::size_t k = hold.sorted;
-    Vec3<Real> scale, moved;
-    for (int axis = 0; axis < 3; ++axis) {
-      scale[axis] = std::sqrt(sorted_.free[std::size_t(axis)][k]);
-      moved[axis] = moved_[std::size_t(axis)][k] / scale[axis];
+  if (active_.empty()) return;
+  const std::size_t padded = grids_.order().size() + kCellPadding;
+  for (std::vector<Real>& axis : moved_) axis.resize(padded);
+  value_.resize(padded);
+  forEachCell([&](const CoarseGrid<Real>& grid, CellRange range, std::size_t lowest) {
+    std::array<Real, kCellNodes> mu;
+    bool pushed = false;
+    for (std::size_t a = 0; a < kCellNodes; ++a) {
+      mu[a] = mu_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))];
+      pushed = pushed || mu[a] != 0;
     }
-    moved = hold.project(moved).cwiseProduct(scale);
-    for (int axis = 0; axis < 3; ++axis) moved_[std::size_t(axis)][k] = moved[axis];
-  }
-  parallelFor(order.size(), [&](std::size_t k) {
-    const Index i = order[k];
-    const CoarseGrid<Real>& grid = grids_.gridOf(i);
-    multiplier_[i] = value_[k] * cell * cell;
-    const Vec3<Real>& cell_m = grid.region.cell_m;
-    Vec3<Real> change = cell_m.cwiseProduct(Vec3<Real>(moved_[0][k], moved_[1][k], moved_[2][k]));
-    if (held_[i]) {
-      const Vec3<Real> flight =
-          grid.region.frame.rotation.transpose() * (dt * particles.velocity.at(i));
-      const Vec3<Real> step(sorted_.step[0][k], sorted_.step[1][k], sorted_.step[2][k]);
-      change += cell_m.cwiseProduct(step) - flight;
+    if (!pushed) return;
+    passes_.interpolate(sorted_, range, mu.data(),
+                        {moved_[0].data(), moved_[1].data(), moved_[2].data()}, value_.data());
+    auto hold = std::lower_bound(
+        oblique_.begin(), oblique_.end(), range.first,
+        [](const ObliqueHold<Real>& one, std::size_t first) { return one.sorted < first; });
+    for (std::size_t k = range.first; k < range.first + range.count; ++k) {
+      const bool held = hold != oblique_.end() && hold->sorted == k;
+      moveParticle(particles, grid.region, k, held ? &*hold : nullptr, dt);
+      if (held) ++hold;
     }
-    particles.predicted.add(i, grid.region.frame.rotation * change);
   });
+}
+
+/// The push on a held particle without what would pull it off its walls.
+/// @param flight its displacement in free flight, into those walls
+template <class Real>
+Vec3<Real> DisplacementProjection<Real>::withoutPull(Vec3<Real> push, const Vec3<Real>& flight,
+                                                     std::size_t k,
+                                                     const ObliqueHold<Real>* oblique) const {
+  const auto keepInward = [&](const Vec3<Real>& normal) {
+    const Real along = push.dot(normal);
+    if (along * flight.dot(normal) < 0) push -= along * normal;
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    if (sorted_.free[std::size_t(axis)][k] == 0) keepInward(Vec3<Real>::Unit(axis));
+  }
+  if (oblique) {
+    for (int n = 0; n < oblique->count; ++n) keepInward(oblique->normal[std::size_t(n)]);
+  }
+  return push;
+}
+
+/// x*_k += v_k sum_a mu_a grad phi_a. At walls the collision response follows, so that friction
+/// feels the pressure.
+template <class Real>
+void DisplacementProjection<Real>::moveParticle(Particles<Real>& particles,
+                                                const CoarseRegion<Real>& region, std::size_t k,
+                                                const ObliqueHold<Real>* oblique, Real dt) {
+  const Index i = grids_.order()[k];
+  const Real cell = grids_.cell_m();
+  const Vec3<Real> slope(moved_[0][k], moved_[1][k], moved_[2][k]);
+  const Vec3<Real> pushed = cell * cell * slope.cwiseQuotient(region.cell_m);
+  multiplier_[i] = value_[k] * cell * cell;
+  if (!touches_[i]) {
+    particles.predicted.add(i, region.frame.rotation * pushed);
+    return;
+  }
+  const Vec3<Real> flight = dt * particles.velocity.at(i);
+  const Vec3<Real> from = particles.position.at(i);
+  const Vec3<Real> inward =
+      withoutPull(pushed, region.frame.rotation.transpose() * flight, k, oblique);
+  const Vec3<Real> wanted = from + flight + region.frame.rotation * inward;
+  const Vec3<Real> end = colliders_.respond(from, wanted, false);
+  particles.predicted.add(i, (end - from) - flight);
 }
 
 template <class Real>

@@ -26,8 +26,9 @@ class DisplacementProjection {
   /// Changes x* = x + dt v so that no node is overfilled. Velocities stay. Displacements of members
   /// of ice bodies are those of single particles of which IceBodies::conform makes impulses.
   /// @param bodies or null
-  void project(Particles<Real>& particles, const IceBodies<Real>* bodies, const Vec3<Real>& gravity,
-               Real dt);
+  /// @param density (n) relative density after the latest iteration
+  void project(Particles<Real>& particles, const IceBodies<Real>* bodies,
+               const std::vector<Real>& density, const Vec3<Real>& gravity, Real dt);
 
   /// (n) sum of mu phi, m^2: as DensityConstraint::multiplier, for the pressure.
   const std::vector<Real>& multiplier() const { return multiplier_; }
@@ -59,12 +60,18 @@ class DisplacementProjection {
       archive(self.key, self.mu);
     }
   };
-  void gather(const Particles<Real>& particles, const IceBodies<Real>* bodies, const Vec3<Real>& gravity, Real dt);
+  void gather(const Particles<Real>& particles, const IceBodies<Real>* bodies,
+              const std::vector<Real>& density, const Vec3<Real>& gravity, Real dt);
   void deposit();
   void findActive(Real fall);
+  bool interior(std::size_t node) const;
   void loadGuess();
   void keepGuess();
   void move(Particles<Real>& particles, Real dt);
+  Vec3<Real> withoutPull(Vec3<Real> push, const Vec3<Real>& flight, std::size_t k,
+                         const ObliqueHold<Real>* oblique) const;
+  void moveParticle(Particles<Real>& particles, const CoarseRegion<Real>& region, std::size_t k,
+                    const ObliqueHold<Real>* oblique, Real dt);
   template <class Visit>
   void forEachCell(const Visit& visit);
 
@@ -77,12 +84,13 @@ class DisplacementProjection {
   FreeVolume<Real> free_volume_;
   CellParticles<Real> sorted_;
   std::vector<Index> place_;                ///< (n) in the order of the grids, if there is ice
-  std::vector<char> held_;                  ///< (n) whether a wall touches the particle
+  std::vector<char> touches_;               ///< (n) whether a wall touches the particle
+  std::vector<char> pressed_;               ///< (n) whether a wall holds the particle
   std::vector<ObliqueHold<Real>> oblique_;  ///< by place in the order
   std::vector<Real> deposits_;              ///< (nodes, kDeposits)
   std::vector<Index> active_;
-  std::vector<Real> excess_;                ///< (active) room - R, negative where overfilled
-  std::vector<Real> fill_;                  ///< (active) particles
+  std::vector<Real> excess_;  ///< (active) room - R, negative where overfilled
+  std::vector<Real> fill_;    ///< (active) particles
   CoarseMatrix<Real> matrix_;
   OneSidedSolver<Real> solver_;
   NodeField<Real> mu_;

@@ -27,7 +27,8 @@ std::array<Real, 3> integrals(Real from, Real to) {
 /// Part of a cell along an axis that lies within 0 ... `high` cells from the origin of its grid.
 template <class Real>
 std::array<Real, 2> within(int cell, Real high) {
-  return {std::clamp(Real(-cell), Real(0), Real(1)), std::clamp(high - Real(cell), Real(0), Real(1))};
+  return {std::clamp(Real(-cell), Real(0), Real(1)),
+          std::clamp(high - Real(cell), Real(0), Real(1))};
 }
 
 template <class Real>
@@ -70,12 +71,15 @@ void FreeVolume<Real>::update(const CoarseGrids<Real>& grids, const Colliders<Re
     for (const CoarseGrid<Real>& grid : grids.grids()) {
       if (grid.empty()) continue;
       const int planes = (grid.cells.x() + 2 - colour + 2) / 3;
-      parallelFor(std::size_t(std::max(planes, 0)), [&](std::size_t k) {
-        const int x = colour - 1 + 3 * int(k);
-        for (int y = -1; y <= grid.cells.y(); ++y) {
-          for (int z = -1; z <= grid.cells.z(); ++z) addCell(grids, colliders, grid, {x, y, z});
-        }
-      }, 1);
+      parallelFor(
+          std::size_t(std::max(planes, 0)),
+          [&](std::size_t k) {
+            const int x = colour - 1 + 3 * int(k);
+            for (int y = -1; y <= grid.cells.y(); ++y) {
+              for (int z = -1; z <= grid.cells.z(); ++z) addCell(grids, colliders, grid, {x, y, z});
+            }
+          },
+          1);
     }
   }
 }
@@ -124,8 +128,8 @@ void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<R
       for (int z = 0; z < parts; ++z) {
         const auto px = part(0, x), py = part(1, y), pz = part(2, z);
         if (split) {
-          const Vec3<Real> point = toWorld((px[0] + px[1]) / 2, (py[0] + py[1]) / 2,
-                                           (pz[0] + pz[1]) / 2);
+          const Vec3<Real> point =
+              toWorld((px[0] + px[1]) / 2, (py[0] + py[1]) / 2, (pz[0] + pz[1]) / 2);
           if (grids.regionAt(point, colliders) != g || inSolid(colliders, point)) continue;
         }
         const auto wx = integrals(px[0], px[1]), wy = integrals(py[0], py[1]),
@@ -134,11 +138,13 @@ void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<R
           for (int b = 0; b < 3; ++b) {
             for (int c = 0; c < 3; ++c) {
               const Eigen::Vector3i node = cell + Eigen::Vector3i(a, b, c);
-              if ((node.array() < 0).any() || (node.array() >= grid.nodes().array()).any()) continue;
-              const std::size_t number = grid.first_node + std::size_t(node.x() * grid.strideX() +
-                                                                      node.y() * grid.strideY() +
-                                                                      node.z());
-              volume_[number] += particles * wx[std::size_t(a)] * wy[std::size_t(b)] * wz[std::size_t(c)];
+              if ((node.array() < 0).any() || (node.array() >= grid.nodes().array()).any())
+                continue;
+              const std::size_t number =
+                  grid.first_node +
+                  std::size_t(node.x() * grid.strideX() + node.y() * grid.strideY() + node.z());
+              volume_[number] +=
+                  particles * wx[std::size_t(a)] * wy[std::size_t(b)] * wz[std::size_t(c)];
             }
           }
         }

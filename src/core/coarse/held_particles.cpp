@@ -33,7 +33,8 @@ template <class Real>
 Hold<Real> holdAtWalls(const Colliders<Real>& colliders, const Pose<Real>& grid, Real spacing_m,
                        const Vec3<Real>& from, const Vec3<Real>& step, Real held_m) {
   Hold<Real> particle;
-  particle.step = step;
+  const Vec3<Real> wanted = from + grid.rotation * step;
+  particle.step = grid.rotation.transpose() * (colliders.respond(from, wanted, false) - from);
   const Real touch = static_cast<Real>(kTouch_d) * spacing_m;
   const Real reach = spacing_m / 2 + touch;
   for (const MovingShape<Real>& collider : colliders) {
@@ -45,9 +46,6 @@ Hold<Real> holdAtWalls(const Colliders<Real>& colliders, const Pose<Real>& grid,
       const Vec3<Real> into =
           -(grid.rotation.transpose() * (collider.motion.from.rotation * surface.normal));
       const Real moved = into.dot(grid.rotation.transpose() * carried);
-      const Real presses = into.dot(particle.step) - moved;
-      if (presses <= 0) continue;
-      particle.step -= presses * into;
       if (into.dot(step) - moved > held_m) hold(particle, into);
     }
   }

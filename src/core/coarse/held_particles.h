@@ -11,7 +11,7 @@ namespace ice_ice_baby {
 /// Directions along which a wall that is not aligned with the grid holds a particle.
 template <class Real>
 struct ObliqueHold {
-  Index sorted = 0;                  ///< place in the order of the grids
+  Index sorted = 0;  ///< place in the order of the grids
   int count = 0;
   std::array<Vec3<Real>, 3> normal;  ///< orthonormal, in the frame of the grid
 
@@ -22,11 +22,11 @@ struct ObliqueHold {
   }
 };
 
-/// What happens to one particle at the walls that it touches.
+/// What the walls that a particle touches do to it.
 template <class Real>
 struct Hold {
-  Vec3<Real> step;                                 ///< its displacement, with that of the walls
-  Vec3<Real> free = Vec3<Real>::Ones();            ///< 0 for held axes of the grid
+  Vec3<Real> step;                       ///< displacement after the response of the walls, m
+  Vec3<Real> free = Vec3<Real>::Ones();  ///< 0 for held axes of the grid
   ObliqueHold<Real> oblique;
 };
 

@@ -32,7 +32,7 @@ class Fluid {
   /// @param bodies rigid ice, or null
   void projectCoarse(Particles<Real>& particles, const IceBodies<Real>* bodies,
                      const Vec3<Real>& gravity, Real dt) {
-    coarse_->project(particles, bodies, gravity, dt);
+    coarse_->project(particles, bodies, density(), gravity, dt);
   }
 
   /// One iteration of Algorithm 1: lambda_i, then delta p_i, of every particle.
