@@ -87,13 +87,15 @@ void describe(SolverParams& p, Visitor&& visit) {
   visit("frame_rate_hz", p.frame_rate_hz, Range{1.0, 10000.0},
         "frames per simulated second; state is reported once a frame");
   visit("quality", p.quality,
-        "trades accuracy for run time: 4, 6 or 12 substeps; measured in doc/error_vs_runtime.md");
-  visit("target_error", p.target_error, Range{0.0, 0.5},
-        "mean density error, as a fraction; the number of substeps is adapted to it every frame; "
-        "0: fixed number");
+        "mean density error that the solver keeps, with as many substeps as that takes: 1 %, 0.2 % "
+        "or 0.03 %; measured in doc/error_vs_runtime.md");
+  visit(
+      "target_error", p.target_error, Range{0.0, 0.5},
+      "mean density error to keep, as a fraction, in place of that of the quality; 0: that of the "
+      "quality");
   visit("substeps", p.substeps, Range{0, 1000},
-        "passes of Algorithm 1 per frame; with a target error, in the first frame; 0: set by "
-        "quality");
+        "passes of Algorithm 1 per frame; 0: as many as the error takes, 2 to 64. With a "
+        "target_error, the number in the first frame alone");
   visit("iterations", p.iterations, Range{0, 1000},
         "solver iterations per substep; 0: particles move ballistically");
   visit("relaxation", p.relaxation, Range{0.0, 1.0},
@@ -107,9 +109,10 @@ void describe(SolverParams& p, Visitor&& visit) {
   visit("resist_tension", p.resist_tension,
         "whether density below rest is corrected too: Eq. 5 without a clamp; particles clump and "
         "may explode");
-  visit("coarse_level", p.coarse_level,
-        "whether a coarse grid carries the weight of deep water, so that the error hardly depends on "
-        "the depth (paper: false)");
+  visit(
+      "coarse_level", p.coarse_level,
+      "whether a coarse grid carries the weight of deep water, so that the error hardly depends on "
+      "the depth (paper: false)");
   visit("viscosity_1_s", p.viscosity_1_s, Range{0.0, 1e4},
         "XSPH viscosity: rate at which a particle takes on the velocity of its neighbours; 0: off");
   visit("max_correction_h", p.max_correction_h, Range{0.0, 1.0},

@@ -68,8 +68,12 @@ struct Scene : ColliderLists {
 
   /// Support radius h in force, m, with 0 resolved.
   double supportRadius_m() const;
-  /// Substeps per frame in force; with a target error, those of the first frame.
+  /// Substeps per frame in force; those of the first frame if their number is adapted.
   int substeps() const;
+  /// Mean density error that the scene asks for, as a fraction; 0 with the preset of the paper.
+  double promisedError() const;
+  /// Whether the number of substeps follows the error.
+  bool adaptsSubsteps() const { return solver.target_error > 0.0 || solver.substeps == 0; }
   /// Whether a block starts as ice: in a thermal scene, below the freezing point.
   bool startsFrozen(const Block& block) const;
   /// Lattice spacing of a block, m; that of ice if it starts frozen.

@@ -27,6 +27,10 @@ void describeReproducible(Visitor&& visit, Records&... r) {
   visit("density_error_mean", r.density_error_mean...,
         "mean of max(rho / rho_0 - 1, 0), measured with the solver's own kernel");
   visit("density_error_max", r.density_error_max..., "maximum of the same");
+  visit("density_error_run", r.density_error_run..., "mean of density_error_mean over all frames");
+  visit("promised_error", r.promised_error...,
+        "density_error_run that solver.quality or solver.target_error asks for; 0: none");
+  visit("quality_met", r.quality_met..., "whether density_error_run is as small as promised");
   visit("kinetic_energy_j", r.kinetic_energy_j..., "of all particles");
   visit("potential_energy_j", r.potential_energy_j..., "against gravity, 0 at the origin");
   visit("elastic_energy_j", r.elastic_energy_j...,
@@ -40,6 +44,8 @@ void describeReproducible(Visitor&& visit, Records&... r) {
   visit("non_finite", r.non_finite...,
         "values repaired since the start because they were not finite");
   visit("substeps", r.substeps..., "of this frame; 0 asleep");
+  visit("coarse_nodes", r.coarse_nodes...,
+        "nodes of the coarse level that carried water in the last substep");
   visit("mean_celsius", r.mean_celsius...,
         "degrees Celsius, mean over the particles; 0 without heat");
   visit("enthalpy_j", r.enthalpy_j...,
@@ -71,6 +77,9 @@ struct StepReport {
   bool asleep = false;
   double density_error_mean = 0.0;
   double density_error_max = 0.0;
+  double density_error_run = 0.0;
+  double promised_error = 0.0;
+  bool quality_met = true;
   double kinetic_energy_j = 0.0;
   double potential_energy_j = 0.0;
   double elastic_energy_j = 0.0;
@@ -80,6 +89,7 @@ struct StepReport {
   std::uint64_t correction_limited = 0;
   std::uint64_t non_finite = 0;
   int substeps = 0;
+  std::size_t coarse_nodes = 0;
   double mean_celsius = 0.0;
   double enthalpy_j = 0.0;
   double thermal_speedup = 0.0;

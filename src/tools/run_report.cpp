@@ -66,6 +66,9 @@ void putNumbers(const StepReport& report, const RunRecord& record, nlohmann::ord
   describe(record, [&](const char* name, const auto& value, const char*) { json[name] = value; });
 }
 
+/// Mean over the run of the largest density error beyond which water counts as flying apart.
+constexpr double kCrushed = 0.5;
+
 }  // namespace
 
 void RunRecord::addFrame(const StepReport& report) {
@@ -102,6 +105,10 @@ std::string instability(const RunRecord& record, const StepReport& report) {
   }
   if (2 * record.max_speed_limited > report.particles && report.particles > 0) {
     return "the speed limit had to slow more than half of all particles within one frame";
+  }
+  if (record.density_error_max > kCrushed) {
+    return "water was compressed by " + std::to_string(int(100 * record.density_error_max)) +
+           " % somewhere in the mean over the run; raise solver.substeps, or set it to 0";
   }
   return "";
 }

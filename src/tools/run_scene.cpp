@@ -122,6 +122,14 @@ void warnOfLimits(const Scene& scene, std::size_t particles, const RunRecord& re
   }
 }
 
+void warnOfQuality(const StepReport& report) {
+  if (report.quality_met) return;
+  std::fprintf(stderr,
+               "run_scene: warning: the mean density error, %.3g %%, is larger than the %.3g %% "
+               "asked for; set solver.substeps to 0, or choose a lower solver.quality\n",
+               100 * report.density_error_run, 100 * report.promised_error);
+}
+
 void printSummary(const Simulation& simulation, const RunRecord& record) {
   const StepReport& report = simulation.report();
   std::printf(
@@ -134,6 +142,7 @@ void printSummary(const Simulation& simulation, const RunRecord& record) {
       100 * record.density_error_mean, 100 * record.density_error_max, report.springs,
       report.rms_speed_m_s, report.asleep ? ", asleep" : "");
   warnOfLimits(simulation.scene(), report.particles, record);
+  warnOfQuality(simulation.report());
 }
 
 /// A checkpoint contains its scene, so options that change the scene are refused with --load.

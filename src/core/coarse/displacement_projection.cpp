@@ -13,6 +13,8 @@ namespace {
 
 /// Water inside may be this much less dense than at rest and still counts as full.
 constexpr double kSlack = 0.003;
+/// Slow water inside that is denser than this gives way, by this share in a substep.
+constexpr double kDense = 0.0002, kRelief = 0.1;
 /// At the surface a node counts as full with this much room left: fast and slow water.
 constexpr double kFastMargin = 0.05, kSlowMargin = 0.20;
 /// A node lies inside if all nodes around it are filled to this share.
@@ -183,7 +185,10 @@ void DisplacementProjection<Real>::findActive(Real fall) {
     const Real room = inside
                           ? (1 - static_cast<Real>(kSlack)) * fill - deposits_[node * kDeposits + 3]
                           : (1 - margin) * rest[node] - fill;
-    const Real b = std::max(Real(0), room) - flow;
+    const Real dense =
+        inside ? deposits_[node * kDeposits + 3] - static_cast<Real>(1 + kDense) * fill : Real(0);
+    const Real relief = static_cast<Real>(kRelief) * calm * std::max(Real(0), dense);
+    const Real b = std::max(Real(0), room) - flow - relief;
     if (room > 0 && b >= 0) continue;
     active_.push_back(Index(node));
     excess_.push_back(b);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRounds = 4;
 constexpr int kMostIterations = 200;
-constexpr double kTolerance = 1e-2;  ///< of the residual, relative to b
+constexpr double kTolerance = 3e-3;  ///< of the residual, relative to b
 constexpr double kRidge = 1e-5;      ///< relative increase of the diagonal
 constexpr std::size_t kChunk = 512;  ///< of sums, whose order does not depend on threads
 

@@ -22,7 +22,8 @@ Fluid<Real>::Fluid(const Scene& scene, const Colliders<Real>& colliders, const P
       pascal_s2_m2_(-scene.fluid.rest_density_kg_m3),
       boundary_(boundaryOf(scene, colliders)),
       constraint_(scene, boundary_ ? &*boundary_ : nullptr, phases) {
-  if (scene.solver.coarse_level && scene.solver.iterations > 0) {
+  // Without colliders nothing carries water, so it has no depth.
+  if (scene.solver.coarse_level && scene.solver.iterations > 0 && !colliders.empty()) {
     coarse_.emplace(scene, colliders, phases);
   }
   if (scene.solver.viscosity_1_s > 0.0 || phases) {

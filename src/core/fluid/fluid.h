@@ -81,6 +81,7 @@ class Fluid {
 
   StageStats lambdaStage() const;
   StageStats deltaPStage() const { return delta_p_clock_.stats(0); }
+  std::size_t coarseNodes() const { return coarse_ ? coarse_->activeNodes() : 0; }
   std::size_t coarseBytes() const { return coarse_ ? coarse_->bytes() : 0; }
   std::size_t viscosityBytes() const { return viscosity_ ? viscosity_->bytes() : 0; }
 

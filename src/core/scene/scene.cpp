@@ -40,6 +40,20 @@ int Scene::substeps() const {
   return 6;
 }
 
+double Scene::promisedError() const {
+  if (solver.target_error > 0.0) return solver.target_error;
+  if (preset == Preset::kPaper) return 0.0;
+  switch (solver.quality) {
+    case Quality::kFast:
+      return 0.01;
+    case Quality::kBalanced:
+      return 0.002;
+    case Quality::kAccurate:
+      return 0.0003;
+  }
+  return 0.002;
+}
+
 double Scene::relaxation() const {
   if (solver.relaxation > 0.0) return solver.relaxation;
   // After n sweeps (1 - a)^n of a mode's error is left. With the warm start the velocity made of it

@@ -45,7 +45,9 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
       neighbours_(static_cast<Real>(scene.supportRadius_m()),
                   static_cast<Real>(kSkin * scene.fluid.spacing_m)),
       substeps_(scene.substeps()) {
-  scene_.solver.substeps = substeps_;  // scene() returns the values in force
+  // scene() returns the values in force
+  if (scene.adaptsSubsteps()) scene_.solver.target_error = scene.promisedError();
+  scene_.solver.substeps = substeps_;
   scene_.solver.relaxation = scene.relaxation();
   if (scene.thermal.enabled) {
     phase_change_.emplace(scene_, spawns_, colliders_, springs_);
@@ -80,6 +82,7 @@ const StepReport& Simulator<Real>::advanceFrame() {
         phase_change_->advance(particles_, neighbours_, temperature_.celsius());
       }
       report_clock_.run([&] { updateReport(); });
+      judgeQuality();
       updateSleep();
       followTargetError();
     });
@@ -87,6 +90,15 @@ const StepReport& Simulator<Real>::advanceFrame() {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   report_.frame_wall_s = wall.count();
   return report_;
+}
+
+template <class Real>
+void Simulator<Real>::judgeQuality() {
+  const double weight = 1.0 / double(report_.frame);
+  report_.density_error_run += weight * (report_.density_error_mean - report_.density_error_run);
+  report_.promised_error = scene_.promisedError();
+  report_.quality_met =
+      report_.promised_error == 0.0 || report_.density_error_run <= report_.promised_error;
 }
 
 template <class Real>
@@ -112,7 +124,7 @@ template <class Real>
 void Simulator<Real>::substep(double dt_s) {
   const Real dt = static_cast<Real>(dt_s);
   predict_clock_.run([&] { predict(dt_s); });
-  if (fluid_->hasCoarseLevel()) coarse_clock_.run([&] { projectCoarse(dt_s); });
+  if (fluid_->hasCoarseLevel() && !frozen()) coarse_clock_.run([&] { projectCoarse(dt_s); });
   fluid_->beginSubstep(particles_);
   if (phase_change_) phase_change_->conform(particles_.predicted);
   neighbours_clock_.run([&] { findNeighbours(); });

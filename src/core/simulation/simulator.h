@@ -77,6 +77,7 @@ class Simulator final : public Simulation {
 
  private:
   void runSubsteps();
+  void judgeQuality();
   void substep(double dt_s);
   void predict(double dt_s);
   void applyForcesAndPredict(Real dt);

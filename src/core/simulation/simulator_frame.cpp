@@ -12,6 +12,10 @@ namespace {
 /// Bounds of the number of substeps with a target error.
 constexpr int kFewestSubsteps = 2;
 constexpr int kMostSubsteps = 64;
+/// In a substep water moves at most this far, in spacings: twice its root mean square speed.
+constexpr double kMostStep_d = 1.0;
+/// In a substep gravity moves water at most this far, in spacings.
+constexpr double kMostFall_d = 0.1;
 
 /// Compressed water is relaxed with at most this many corrections, or until the largest density is
 /// within this fraction of rest density.
@@ -63,13 +67,18 @@ void Simulator<Real>::updateSleep() {
   updateReport();
 }
 
-/// The error is proportional to the square of the substep. The number of substeps falls by one per
-/// frame at most, so that a calm frame does not leave too few for the next one.
+/// Keeps the error, and the distance that water moves, below bounds. The error is proportional to
+/// the square of the substep. The number of substeps falls by one per frame at most, so that a calm
+/// frame does not leave too few for the next one.
 template <class Real>
 void Simulator<Real>::followTargetError() {
   const double target = scene_.solver.target_error;
   if (target == 0.0 || report_.asleep) return;
-  const double wanted = std::ceil(substeps_ * std::sqrt(report_.density_error_mean / target));
+  const double d_m = scene_.fluid.spacing_m, rate_1_s = scene_.solver.frame_rate_hz;
+  const double for_error = substeps_ * std::sqrt(report_.density_error_mean / target);
+  const double for_speed = 2.0 * report_.rms_speed_m_s / (rate_1_s * kMostStep_d * d_m);
+  const double for_fall = std::sqrt(scene_.gravity_m_s2.norm() / (kMostFall_d * d_m)) / rate_1_s;
+  const double wanted = std::ceil(std::max({for_error, for_speed, for_fall}));
   const double fewest = std::max(kFewestSubsteps, substeps_ - 1);
   const double most = std::min(kMostSubsteps, 2 * substeps_);
   const int next = static_cast<int>(std::clamp(wanted, std::min(fewest, most), most));

@@ -22,6 +22,7 @@ void Simulator<Real>::updateReport() {
   report_.springs = springs_ ? springs_->size() : 0;
   report_.density_error_mean = error.mean;
   report_.density_error_max = error.max;
+  report_.coarse_nodes = fluid_->coarseNodes();
   report_.kinetic_energy_j = 0.5 * mass_kg_ * squares;
   report_.potential_energy_j = mass_kg_ * heights;
   report_.elastic_energy_j = elasticEnergy_j();
