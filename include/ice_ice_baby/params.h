@@ -87,15 +87,17 @@ void describe(SolverParams& p, Visitor&& visit) {
   visit("frame_rate_hz", p.frame_rate_hz, Range{1.0, 10000.0},
         "frames per simulated second; state is reported once a frame");
   visit("quality", p.quality,
-        "mean density error that the solver keeps, with as many substeps as that takes: 1 %, 0.2 % "
-        "or 0.03 %; measured in doc/error_vs_runtime.md");
-  visit(
-      "target_error", p.target_error, Range{0.0, 0.5},
-      "mean density error to keep, as a fraction, in place of that of the quality; 0: that of the "
-      "quality");
+        "mean density error that the solver keeps: 1 %, 0.2 % or 0.03 %, with 4, 6 or 12 substeps, "
+        "or "
+        "as many more as that takes; measured in doc/error_vs_runtime.md");
+  visit("target_error", p.target_error, Range{0.0, 0.5},
+        "mean density error to keep, as a fraction, with 2 to 64 substeps as it needs; 0: that of "
+        "the "
+        "quality");
   visit("substeps", p.substeps, Range{0, 1000},
-        "passes of Algorithm 1 per frame; 0: as many as the error takes, 2 to 64. With a "
-        "target_error, the number in the first frame alone");
+        "passes of Algorithm 1 per frame, whatever the error; with a target_error, in the first "
+        "frame "
+        "alone; 0: set by quality");
   visit("iterations", p.iterations, Range{0, 1000},
         "solver iterations per substep; 0: particles move ballistically");
   visit("relaxation", p.relaxation, Range{0.0, 1.0},

@@ -35,8 +35,12 @@ def now():
 
 
 def fingerprint(program):
-    """Twelve digits that change with the program, so that no table mixes two builds."""
-    return hashlib.sha256(pathlib.Path(program).read_bytes()).hexdigest()[:12]
+    """Twelve digits that change with the program and its library, so that no table mixes builds."""
+    program = pathlib.Path(program).resolve()
+    digest = hashlib.sha256(program.read_bytes())
+    for library in sorted(program.parent.parent.glob("libice_ice_baby_core*")):
+        digest.update(library.read_bytes())
+    return digest.hexdigest()[:12]
 
 
 def about(program, command):

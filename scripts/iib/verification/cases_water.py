@@ -99,8 +99,9 @@ def pressure_error(run):
         )
     p, reach = run.particles, 2 * run.spacing_m
     surface = 2 * p["z"].mean()
+    half = np.abs(p["x"]).max() + run.spacing_m / 2
     inside = (
-        (np.maximum(np.abs(p["x"]), np.abs(p["y"])) < 0.1 - reach)
+        (np.maximum(np.abs(p["x"]), np.abs(p["y"])) < half - reach)
         & (p["z"] > reach)
         & (p["z"] < surface - reach)
     )
@@ -115,6 +116,13 @@ def hydrostatic_column(run):
     """a column at rest carries its weight and keeps its height"""
     end = run("hydrostatic_column")
     return [pressure_error(end), *still(end, 3.0), energy_rise(end)]
+
+
+@case()
+def deep_column(run):
+    """eighty layers of water rest as accurately as twenty"""
+    end = run("deep_column")
+    return [pressure_error(end), *still(end, 1.0), energy_rise(end)]
 
 
 def minute_at_rest(end):

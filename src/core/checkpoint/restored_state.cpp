@@ -66,7 +66,8 @@ void DisplacementProjection<Real>::restore(std::size_t particles) const {
   requireValid(multiplier_.size() == particles && allWithin(multiplier_, -kMost, kMost),
                "pressure of the coarse level out of range");
   for (const Guess& guess : guess_) {
-    requireValid(within(double(guess.mu), -kMost, 0.0), "pressure of the coarse level out of range");
+    requireValid(within(double(guess.mu), -kMost, 0.0),
+                 "pressure of the coarse level out of range");
   }
 }
 
@@ -198,7 +199,8 @@ void Simulator<Real>::restore(std::size_t n) {
   particles_.restore(n);
   fluid_->restore(n);
   colliders_.restore();
-  requireValid(substeps_ >= 1 && substeps_ <= 1000, "number of substeps out of range");
+  requireValid(within(substeps_, 1, 1000) && within(fewest_substeps_, 1, 1000),
+               "number of substeps out of range");
   requireValid(within(strictness_, 0.0, 1.0), "strictness out of range");
   requireValid(still_s_ >= 0.0 && report_.time_s >= 0.0 && within(report_.substeps, 0, 1000),
                "time out of range");

@@ -17,6 +17,8 @@ constexpr std::int32_t kFarthestCell = 1 << 28;
 
 /// The sides of boxes lie at multiples of this many cells, so that they seldom change.
 constexpr int kBoxStep = 4;
+/// Between walls that are no farther apart a box reaches from wall to wall.
+constexpr int kWholeBox = 16;
 
 std::array<int, 2> roundOut(int low, int high) {
   const auto down = [](int at) { return (at - (at < 0 ? kBoxStep - 1 : 0)) / kBoxStep * kBoxStep; };
@@ -124,7 +126,9 @@ void CoarseGrids<Real>::locate(const VectorField<Real>& position,
 template <class Real>
 void CoarseGrids<Real>::chooseBoxes(std::size_t particles) {
   const Eigen::Vector3i none = Eigen::Vector3i::Constant(std::numeric_limits<int>::max());
-  std::vector<Eigen::Vector3i> low(grids_.size(), none), high(grids_.size(), -none);
+  std::vector<Eigen::Vector3i>&low = lowest_, &high = highest_;
+  low.assign(grids_.size(), none);
+  high.assign(grids_.size(), -none);
   for (std::size_t i = 0; i < particles; ++i) {
     const std::size_t g = grid_of_[i];
     for (int axis = 0; axis < 3; ++axis) {
@@ -135,8 +139,12 @@ void CoarseGrids<Real>::chooseBoxes(std::size_t particles) {
   }
   for (std::size_t g = 0; g < grids_.size(); ++g) {
     const bool empty = low[g].x() > high[g].x();
+    const Vec3<Real>& size = grids_[g].region.high_c;
     for (int axis = 0; axis < 3; ++axis) {
-      const auto [first, last] = roundOut(low[g][axis], high[g][axis]);
+      const bool walled = std::isfinite(size[axis]) && size[axis] <= kWholeBox;
+      const auto [first, last] =
+          walled ? std::array<int, 2>{0, std::max(0, int(std::ceil(size[axis])) - 1)}
+                 : roundOut(low[g][axis], high[g][axis]);
       grids_[g].low[axis] = empty ? 0 : first;
       grids_[g].cells[axis] = empty ? 0 : last - first + 1;
     }
@@ -226,6 +234,7 @@ template <class Real>
 void CoarseGrids<Real>::markSupported(const std::vector<char>& supported) {
   supported_.assign(start_.size() - 1, false);
   flood_.clear();
+  flood_.reserve(supported_.size());
   const auto visit = [&](Index g, int x, int y, int z) {
     const std::size_t cell = grids_[g].cell(x, y, z);
     if (supported_[cell] || start_[cell + 1] == start_[cell]) return;

@@ -122,6 +122,7 @@ class CoarseGrids {
   Real cell_m_;
   std::vector<CoarseGrid<Real>> grids_;
   std::vector<std::size_t> by_size_;                  ///< grids of containers, the smallest first
+  std::vector<Eigen::Vector3i> lowest_, highest_;     ///< (grids) cells that hold particles
   std::vector<Index> grid_of_;                        ///< (n)
   std::array<std::vector<std::int32_t>, 3> cell_at_;  ///< (n) cell coordinates
   std::array<std::vector<Real>, 3> inside_;           ///< (n) place in the cell

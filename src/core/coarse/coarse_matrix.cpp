@@ -40,9 +40,18 @@ void CoarseMatrix<Real>::assemble(const CoarseGrids<Real>& grids, const CellPass
                                   const CellParticles<Real>& particles,
                                   const std::vector<ObliqueHold<Real>>& oblique,
                                   const std::vector<Index>& active) {
+  active_.reserve(grids.nodeCount());
   active_ = active;
+  strides_.reserve(grids.nodeCount());
+  diagonal_.reserve(grids.nodeCount());
   row_of_.assign(grids.nodeCount(), kNone);
   strides_.resize(active.size());
+  // Room to grow, so that water that spreads seldom takes new memory.
+  if (most_rows_ < active.size()) {
+    const std::size_t likely = std::min(grids.nodeCount(), grids.order().size() / 16 + 64);
+    most_rows_ = std::max(2 * active.size(), likely);
+    rows_.reserve(most_rows_ * kStencil);
+  }
   rows_.assign(active.size() * kStencil, Real(0));
   for (std::size_t row = 0; row < active.size(); ++row) row_of_[active[row]] = Index(row);
   for (const CoarseGrid<Real>& grid : grids.grids()) {

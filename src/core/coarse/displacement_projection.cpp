@@ -11,14 +11,18 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Water inside may be this much less dense than at rest and still counts as full.
-constexpr double kSlack = 0.003;
+/// Water inside, and at the surface, may be this much less dense than at rest and still counts as
+/// full.
+constexpr double kSlack = 0.003, kSurfaceSlack = 0.03;
 /// Slow water inside that is denser than this gives way, by this share in a substep.
 constexpr double kDense = 0.0002, kRelief = 0.1;
 /// At the surface a node counts as full with this much room left: fast and slow water.
 constexpr double kFastMargin = 0.05, kSlowMargin = 0.20;
 /// A node lies inside if all nodes around it are filled to this share.
 constexpr double kInside = 0.7;
+/// A particle is at the surface if less than this share of its surroundings is filled, and if its
+/// pressure is that of fewer layers.
+constexpr double kAtSurface = 0.65, kSurfaceLayers = 5.0;
 /// A node is fast beyond this many displacements by gravity in a substep.
 constexpr double kFast_falls = 3.0;
 /// Share of the displacement by gravity in a substep from which on a wall holds a particle.
@@ -68,6 +72,7 @@ void DisplacementProjection<Real>::project(Particles<Real>& particles,
   deposit();
   findActive(gravity.norm() * dt * dt / grids_.cell_m());
   mu_.reset(grids_.nodeCount(), grids_.nodePadding());
+  guess_.reserve(grids_.nodeCount());
   if (!active_.empty()) {
     loadGuess();
     matrix_.assemble(grids_, passes_, sorted_, oblique_, active_);
@@ -78,6 +83,7 @@ void DisplacementProjection<Real>::project(Particles<Real>& particles,
   }
   keepGuess();
   move(particles, dt);
+  levelPressure(gravity, dt);
 }
 
 /// Displacements of the sorted particles in the frames of their grids.
@@ -171,6 +177,9 @@ void DisplacementProjection<Real>::findActive(Real fall) {
   active_.clear();
   excess_.clear();
   fill_.clear();
+  active_.reserve(grids_.nodeCount());
+  excess_.reserve(grids_.nodeCount());
+  fill_.reserve(grids_.nodeCount());
   const std::vector<Real>& rest = free_volume_.atNodes();
   const Real fast = static_cast<Real>(kFast_falls) * fall;
   for (std::size_t node = 0; node < grids_.nodeCount(); ++node) {
@@ -182,9 +191,9 @@ void DisplacementProjection<Real>::findActive(Real fall) {
     if (!inside && calm == 0) continue;
     const Real margin =
         static_cast<Real>(kFastMargin) + static_cast<Real>(kSlowMargin - kFastMargin) * calm;
-    const Real room = inside
-                          ? (1 - static_cast<Real>(kSlack)) * fill - deposits_[node * kDeposits + 3]
-                          : (1 - margin) * rest[node] - fill;
+    const Real density = deposits_[node * kDeposits + 3];
+    const Real loose = (1 - static_cast<Real>(inside ? kSlack : kSurfaceSlack)) * fill - density;
+    const Real room = inside ? loose : std::max(loose, (1 - margin) * rest[node] - fill);
     const Real dense =
         inside ? deposits_[node * kDeposits + 3] - static_cast<Real>(1 + kDense) * fill : Real(0);
     const Real relief = static_cast<Real>(kRelief) * calm * std::max(Real(0), dense);
@@ -305,6 +314,53 @@ void DisplacementProjection<Real>::moveParticle(Particles<Real>& particles,
   const Vec3<Real> wanted = from + flight + region.frame.rotation * inward;
   const Vec3<Real> end = colliders_.respond(from, wanted, false);
   particles.predicted.add(i, (end - from) - flight);
+}
+
+/// The splines of a grid end somewhere in its cells and not at the surface of the water, where the
+/// pressure is that of half a layer. What is left there in the mean is taken off all the water of
+/// the grid, if it is slow; forces do not change.
+template <class Real>
+void DisplacementProjection<Real>::levelPressure(const Vec3<Real>& gravity, Real dt) {
+  if (active_.empty()) return;
+  const std::vector<Index>& order = grids_.order();
+  const CoarseGrid<Real>* first = grids_.grids().data();
+  const Real layer = spacing_ * gravity.norm() * dt * dt;
+  const Real fast = static_cast<Real>(2 * kFast_falls) * layer / (spacing_ * grids_.cell_m());
+  const Real fast2 = fast * fast;
+  surface_.assign(grids_.grids().size(), {0.0, 0.0});
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const Real value = multiplier_[order[k]];
+    const bool candidate = value != 0 && -value <= static_cast<Real>(kSurfaceLayers) * layer &&
+                           sorted_.drift2[k] <= fast2;
+    if (!candidate || !atSurface(k)) continue;
+    auto& [sum, count] = surface_[std::size_t(&grids_.gridOf(order[k]) - first)];
+    sum += double(value);
+    count += 1.0;
+  }
+  parallelFor(order.size(), [&](std::size_t k) {
+    const Index i = order[k];
+    const auto [sum, count] = surface_[std::size_t(&grids_.gridOf(i) - first)];
+    if (count == 0.0 || multiplier_[i] == 0) return;
+    const double excess = std::min(0.0, sum / count + double(layer) / 2);
+    multiplier_[i] = std::min(Real(0), multiplier_[i] - static_cast<Real>(excess));
+  });
+}
+
+/// Whether a third of the surroundings of particle k of the order, as its nodes see them, is empty.
+template <class Real>
+bool DisplacementProjection<Real>::atSurface(std::size_t k) const {
+  const Index i = grids_.order()[k];
+  const CoarseGrid<Real>& grid = grids_.gridOf(i);
+  const std::size_t lowest = grids_.lowestNodeOf(i);
+  const SplineAlong<Real> x(sorted_.place[0][k]), y(sorted_.place[1][k]), z(sorted_.place[2][k]);
+  Real filled = 0;
+  for (std::size_t a = 0; a < kCellNodes; ++a) {
+    const std::size_t node = std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a));
+    const Real rest = free_volume_.atNodes()[node], fill = deposits_[node * kDeposits + 1];
+    const Real share = rest > 0 ? std::min(Real(1), fill / rest) : Real(1);
+    filled += share * x.value[a / 9] * y.value[a / 3 % 3] * z.value[a % 3];
+  }
+  return filled < static_cast<Real>(kAtSurface);
 }
 
 template <class Real>

@@ -68,6 +68,8 @@ class DisplacementProjection {
   void loadGuess();
   void keepGuess();
   void move(Particles<Real>& particles, Real dt);
+  bool atSurface(std::size_t sorted) const;
+  void levelPressure(const Vec3<Real>& gravity, Real dt);
   Vec3<Real> withoutPull(Vec3<Real> push, const Vec3<Real>& flight, std::size_t k,
                          const ObliqueHold<Real>* oblique) const;
   void moveParticle(Particles<Real>& particles, const CoarseRegion<Real>& region, std::size_t k,
@@ -99,6 +101,7 @@ class DisplacementProjection {
   std::vector<Real> multiplier_;            ///< (n)
   std::vector<Guess> guess_;
   std::vector<Real> scratch_;
+  std::vector<std::array<double, 2>> surface_;  ///< (grids) sum of pressures at the surface, count
   std::uint64_t iterations_ = 0, solves_ = 0;
 };
 

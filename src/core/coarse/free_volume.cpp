@@ -114,7 +114,12 @@ void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<R
     split = !colliders[k].shape.clear(local, local, reach + colliders[k].shape.particleRadius());
   }
   const std::size_t g = std::size_t(&grid - grids.grids().data());
-  if (!split && grids.regionAt(middle, colliders) != g) return;
+  // What is above the rim of an open container is free as well.
+  const auto reachable = [&](const Vec3<Real>& point) {
+    const std::size_t region = grids.regionAt(point, colliders);
+    return region == g || (grid.region.collider != kNone && region + 1 == grids.grids().size());
+  };
+  if (!split && !reachable(middle)) return;
   const int parts = split ? kParts : 1;
   const auto part = [&](std::size_t axis, int k) {
     const auto [from, to] = range[axis];
@@ -130,7 +135,7 @@ void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<R
         if (split) {
           const Vec3<Real> point =
               toWorld((px[0] + px[1]) / 2, (py[0] + py[1]) / 2, (pz[0] + pz[1]) / 2);
-          if (grids.regionAt(point, colliders) != g || inSolid(colliders, point)) continue;
+          if (!reachable(point) || inSolid(colliders, point)) continue;
         }
         const auto wx = integrals(px[0], px[1]), wy = integrals(py[0], py[1]),
                    wz = integrals(pz[0], pz[1]);

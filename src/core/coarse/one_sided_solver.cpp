@@ -19,6 +19,7 @@ constexpr std::size_t kChunk = 512;  ///< of sums, whose order does not depend o
 
 template <class Real>
 double OneSidedSolver<Real>::dot(const std::vector<Real>& a, const std::vector<Real>& b) {
+  partial_.reserve(a.capacity() / kChunk + 1);
   partial_.assign((a.size() + kChunk - 1) / kChunk, 0.0);
   parallelFor(
       partial_.size(),
@@ -80,8 +81,12 @@ template <class Real>
 void OneSidedSolver<Real>::solve(const CoarseMatrix<Real>& matrix, const std::vector<Index>& active,
                                  const std::vector<Real>& b, NodeField<Real>& mu) {
   const std::size_t n = active.size();
+  off_.reserve(matrix.mostRows());
   off_.assign(n, false);
-  for (auto* values : {&residual_, &scaled_, &product_, &direction_}) values->resize(n);
+  for (auto* values : {&residual_, &scaled_, &product_, &direction_}) {
+    values->reserve(matrix.mostRows());
+    values->resize(n);
+  }
   iterations_ = 0;
   search_.resetLike(mu);
   for (std::size_t k = 0; k < n; ++k) {

@@ -1,6 +1,7 @@
 #include "colliders/container_shape.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "colliders/mesh_parts.h"
 
@@ -100,7 +101,7 @@ template <class Real>
 AlignedBox<Real> ContainerShape<Real>::room() const {
   const Vec3<Real> radii = Vec3<Real>::Constant(this->radius);
   AlignedBox<Real> room{inner.low - radii, inner.high + radii};
-  if (open_top) room.high.z() = inner.high.z();
+  if (open_top) room.high.z() = std::numeric_limits<Real>::infinity();
   return room;
 }
 

@@ -66,7 +66,7 @@ struct ShapeBasis {
   /// Whether no particle can enter or leave it.
   bool closed() const { return false; }
   bool holds(const Vec3<Real>&) const { return false; }
-  /// The space inside a hollow shape with flat walls.
+  /// The space between the flat walls of a hollow shape, infinite where it is open.
   AlignedBox<Real> room() const {
     constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
     return {Vec3<Real>::Zero(), Vec3<Real>::Constant(kInfinity)};

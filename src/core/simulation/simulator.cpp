@@ -44,7 +44,8 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
       colliders_(scene, scene.fluid.spacing_m / 2),
       neighbours_(static_cast<Real>(scene.supportRadius_m()),
                   static_cast<Real>(kSkin * scene.fluid.spacing_m)),
-      substeps_(scene.substeps()) {
+      substeps_(scene.substeps()),
+      fewest_substeps_(scene.solver.target_error > 0.0 ? kFewestSubsteps : substeps_) {
   // scene() returns the values in force
   if (scene.adaptsSubsteps()) scene_.solver.target_error = scene.promisedError();
   scene_.solver.substeps = substeps_;
@@ -124,7 +125,7 @@ template <class Real>
 void Simulator<Real>::substep(double dt_s) {
   const Real dt = static_cast<Real>(dt_s);
   predict_clock_.run([&] { predict(dt_s); });
-  if (fluid_->hasCoarseLevel() && !frozen()) coarse_clock_.run([&] { projectCoarse(dt_s); });
+  if (fluid_->hasCoarseLevel()) coarse_clock_.run([&] { projectCoarse(dt_s); });
   fluid_->beginSubstep(particles_);
   if (phase_change_) phase_change_->conform(particles_.predicted);
   neighbours_clock_.run([&] { findNeighbours(); });

@@ -145,7 +145,10 @@ class Simulator final : public Simulation {
   StageClock report_clock_{"report"};
 
   StepReport report_;
-  int substeps_;  ///< of the frame that comes next
+  /// With a target error of its own a scene takes no more substeps than that error needs.
+  static constexpr int kFewestSubsteps = 2;
+  int substeps_;         ///< of the frame that comes next
+  int fewest_substeps_;  ///< that the error may bring it down to
   double strictness_ = 0.0;
   double still_s_ = 0.0;  ///< how long frozen water has been below the sleep speed
   bool colliders_moving_ = false;

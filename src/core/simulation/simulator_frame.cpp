@@ -9,9 +9,11 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Bounds of the number of substeps with a target error.
-constexpr int kFewestSubsteps = 2;
+/// Bound of the number of substeps that an error takes.
 constexpr int kMostSubsteps = 64;
+/// Share of the promised error of a quality from which on it is followed, in the mean over the run
+/// or, before that is over, over the first second.
+constexpr double kWatched = 0.5;
 /// In a substep water moves at most this far, in spacings: twice its root mean square speed.
 constexpr double kMostStep_d = 1.0;
 /// In a substep gravity moves water at most this far, in spacings.
@@ -67,19 +69,27 @@ void Simulator<Real>::updateSleep() {
   updateReport();
 }
 
-/// Keeps the error, and the distance that water moves, below bounds. The error is proportional to
-/// the square of the substep. The number of substeps falls by one per frame at most, so that a calm
+/// Keeps the error, and the distance that water moves, below bounds. More substeps make water
+/// stiffer, which adds energy if it is compressed at that moment, so the error of a quality is only
+/// followed while that of the run comes near it. The error is proportional to the square of the
+/// substep. The number of substeps falls by one per frame at most, so that a calm
 /// frame does not leave too few for the next one.
 template <class Real>
 void Simulator<Real>::followTargetError() {
   const double target = scene_.solver.target_error;
-  if (target == 0.0 || report_.asleep) return;
+  if (target == 0.0 || report_.asleep || springsCorrect()) return;
   const double d_m = scene_.fluid.spacing_m, rate_1_s = scene_.solver.frame_rate_hz;
   const double for_error = substeps_ * std::sqrt(report_.density_error_mean / target);
   const double for_speed = 2.0 * report_.rms_speed_m_s / (rate_1_s * kMostStep_d * d_m);
   const double for_fall = std::sqrt(scene_.gravity_m_s2.norm() / (kMostFall_d * d_m)) / rate_1_s;
-  const double wanted = std::ceil(std::max({for_error, for_speed, for_fall}));
-  const double fewest = std::max(kFewestSubsteps, substeps_ - 1);
+  const bool own_target = fewest_substeps_ == kFewestSubsteps;
+  const double frames = double(report_.frame);
+  const double run_error = report_.density_error_run * frames / std::max(frames, rate_1_s);
+  const bool needed = run_error > kWatched * target;
+  const double wanted = std::ceil(own_target ? std::max({for_error, for_speed, for_fall})
+                                  : needed   ? for_error
+                                             : 0.0);
+  const double fewest = std::max(fewest_substeps_, substeps_ - 1);
   const double most = std::min(kMostSubsteps, 2 * substeps_);
   const int next = static_cast<int>(std::clamp(wanted, std::min(fewest, most), most));
   if (next == substeps_) return;

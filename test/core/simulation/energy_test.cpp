@@ -67,8 +67,10 @@ TEST_P(SplashEnergyTest, DoesNotRise) {
 INSTANTIATE_TEST_SUITE_P(Substeps, SplashEnergyTest, testing::Values(2, 4, 8, 24));
 
 TEST(EnergyTest, ReboundComesFromEnergyStoredInPressure) {
-  // Two substeps leave water so compressible that it bounces.
-  const Rises rises = risesOf(splash(2), 0.7, 60);
+  // Two substeps without a coarse level leave water so compressible that it bounces.
+  Scene scene = splash(2);
+  scene.solver.coarse_level = false;
+  const Rises rises = risesOf(scene, 0.7, 60);
   EXPECT_GT(rises.mechanical, 1e-3);
   EXPECT_LT(rises.total, 0.1 * rises.mechanical);
 }
@@ -101,6 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Substeps, SheetEnergyTest, testing::Values(2, 4, 8, 24)
 TEST(EnergyTest, TheElasticPartIsThatOfAnEvenlyPressedColumn) {
   // Pressure p compresses a volume V by C: energy p C V / 2, with p = rho g z and C as measured.
   Scene scene = test::fullTank(8, true);
+  scene.solver.coarse_level = false;  // with it the column is hardly compressed
   const auto simulation = makeSimulation(scene, Precision::kDouble, 1);
   for (int frame = 0; frame < 240; ++frame) simulation->advanceFrame();
   std::vector<ParticleSample> particles;
