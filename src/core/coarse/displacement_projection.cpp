@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/parallel.h"
 #include "colliders/clearance.h"
@@ -13,13 +14,15 @@ namespace {
 
 /// Water inside, and at the surface, may be this much less dense than at rest and still counts as
 /// full.
-constexpr double kSlack = 0.003, kSurfaceSlack = 0.03;
+constexpr double kSlack = 0.001, kSurfaceSlack = 0.02;
 /// Slow water inside that is denser than this gives way, by this share in a substep.
 constexpr double kDense = 0.0002, kRelief = 0.1;
 /// At the surface a node counts as full with this much room left: fast and slow water.
 constexpr double kFastMargin = 0.05, kSlowMargin = 0.20;
 /// A node lies inside if all nodes around it are filled to this share.
 constexpr double kInside = 0.7;
+/// Largest rounding of positions, in displacements by gravity in a substep.
+constexpr double kRounding_falls = 0.1;
 /// A particle is at the surface if less than this share of its surroundings is filled, and if its
 /// pressure is that of fewer layers.
 constexpr double kAtSurface = 0.65, kSurfaceLayers = 5.0;
@@ -67,6 +70,8 @@ void DisplacementProjection<Real>::project(Particles<Real>& particles,
                                            const Vec3<Real>& gravity, Real dt) {
   multiplier_.assign(particles.size(), Real(0));
   grids_.sort(particles.position, colliders_);
+  active_.clear();
+  if (!resolved(gravity.norm() * dt * dt)) return;
   free_volume_.update(grids_, colliders_);
   gather(particles, bodies, density, gravity, dt);
   deposit();
@@ -84,6 +89,21 @@ void DisplacementProjection<Real>::project(Particles<Real>& particles,
   keepGuess();
   move(particles, dt);
   levelPressure(gravity, dt);
+}
+
+/// Whether positions are precise enough for the displacement by gravity in a substep: in single
+/// precision up to 60 m from the origin with the default settings.
+template <class Real>
+bool DisplacementProjection<Real>::resolved(Real fall_m) const {
+  Real farthest_m = 0;
+  for (const CoarseGrid<Real>& grid : grids_.grids()) {
+    if (grid.empty()) continue;
+    const Vec3<Real> corner = grid.low.template cast<Real>().cwiseProduct(grid.region.cell_m);
+    farthest_m =
+        std::max(farthest_m, grid.region.frame.toWorld(corner).template lpNorm<Eigen::Infinity>());
+  }
+  const Real rounding_m = std::numeric_limits<Real>::epsilon() * farthest_m;
+  return rounding_m <= static_cast<Real>(kRounding_falls) * fall_m;
 }
 
 /// Displacements of the sorted particles in the frames of their grids.

@@ -62,6 +62,7 @@ class DisplacementProjection {
   };
   void gather(const Particles<Real>& particles, const IceBodies<Real>* bodies,
               const std::vector<Real>& density, const Vec3<Real>& gravity, Real dt);
+  bool resolved(Real fall_m) const;
   void deposit();
   void findActive(Real fall);
   bool interior(std::size_t node) const;

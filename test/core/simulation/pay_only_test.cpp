@@ -141,9 +141,9 @@ TEST(PayOnly, WhatASceneLacksTakesNoMemory) {
   EXPECT_LT(with_walls["collide"].bytes, 1000u) << "grows with the colliders, not the particles";
 }
 
-TEST(PayOnly, WaterTakesAtMost580BytesAParticle) {
+TEST(PayOnly, WaterTakesAtMost600BytesAParticle) {
   Scene pool = test::fullTank(20);
-  EXPECT_LT(double(bytesOf(*ran(pool, 10))) / 8000, 580.0);
+  EXPECT_LT(double(bytesOf(*ran(pool, 10))) / 8000, 600.0);
 }
 
 TEST(PayOnly, MeltedWaterCostsWhatWaterNeverFrozenDoes) {
