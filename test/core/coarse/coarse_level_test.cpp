@@ -105,8 +105,11 @@ TEST(CoarseLevelTest, WaterInFlightHasNone) {
   for (int frame = 0; frame < 15; ++frame) {
     EXPECT_EQ(simulation->advanceFrame().coarse_nodes, 0u) << frame;
   }
-  for (int frame = 0; frame < 90; ++frame) simulation->advanceFrame();
-  EXPECT_GT(simulation->report().coarse_nodes, 0u);
+  std::size_t most = 0;
+  for (int frame = 0; frame < 90; ++frame) {
+    most = std::max(most, simulation->advanceFrame().coarse_nodes);
+  }
+  EXPECT_GT(most, 0u);
 }
 
 TEST(CoarseLevelTest, NothingAloneOrWithoutWallsHasNone) {
