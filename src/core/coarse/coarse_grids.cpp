@@ -138,15 +138,17 @@ void CoarseGrids<Real>::chooseBoxes(std::size_t particles) {
     }
   }
   for (std::size_t g = 0; g < grids_.size(); ++g) {
-    const bool empty = low[g].x() > high[g].x();
+    grids_[g].low.setZero();
+    grids_[g].cells.setZero();
+    if (low[g].x() > high[g].x()) continue;
     const Vec3<Real>& size = grids_[g].region.high_c;
     for (int axis = 0; axis < 3; ++axis) {
       const bool walled = std::isfinite(size[axis]) && size[axis] <= kWholeBox;
       const auto [first, last] =
           walled ? std::array<int, 2>{0, std::max(0, int(std::ceil(size[axis])) - 1)}
                  : roundOut(low[g][axis], high[g][axis]);
-      grids_[g].low[axis] = empty ? 0 : first;
-      grids_[g].cells[axis] = empty ? 0 : last - first + 1;
+      grids_[g].low[axis] = first;
+      grids_[g].cells[axis] = last - first + 1;
     }
   }
   shrink(std::size_t(kCellsPerParticle * double(particles)) + kFreeCells);
