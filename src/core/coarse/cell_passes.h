@@ -80,4 +80,22 @@ struct SplineAlong {
         slope{u - 1, 1 - 2 * u, u} {}
 };
 
+/// Splines of the nodes of a cell at one of its particles.
+template <class Real>
+struct SplineAt {
+  SplineAlong<Real> x, y, z;
+
+  SplineAt(const CellParticles<Real>& particles, std::size_t k)
+      : x(particles.place[0][k]), y(particles.place[1][k]), z(particles.place[2][k]) {}
+
+  Real value(std::size_t node) const {
+    return x.value[node / 9] * y.value[node / 3 % 3] * z.value[node % 3];
+  }
+  Vec3<Real> slope(std::size_t node) const {
+    const std::size_t i = node / 9, j = node / 3 % 3, k = node % 3;
+    return {x.slope[i] * y.value[j] * z.value[k], x.value[i] * y.slope[j] * z.value[k],
+            x.value[i] * y.value[j] * z.slope[k]};
+  }
+};
+
 }  // namespace ice_ice_baby

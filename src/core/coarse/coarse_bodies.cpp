@@ -35,15 +35,12 @@ template <class Real>
 void CoarseBodies<Real>::addMember(const CoarseGrid<Real>& grid, const CellParticles<Real>& sorted,
                                    std::size_t k, std::size_t lowest, const Vec3d& arm,
                                    const std::vector<Index>& row_of) {
-  const SplineAlong<Real> x(sorted.place[0][k]), y(sorted.place[1][k]), z(sorted.place[2][k]);
+  const SplineAt<Real> spline(sorted, k);
   const Vec3<Real> scale = scaleOf(sorted, k) * sorted.volume[k];
   for (std::size_t a = 0; a < kCellNodes; ++a) {
     const Index row = row_of[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))];
     if (row == kNone) continue;
-    const std::size_t i = a / 9, j = a / 3 % 3, l = a % 3;
-    const Vec3<Real> slope(x.slope[i] * y.value[j] * z.value[l],
-                           x.value[i] * y.slope[j] * z.value[l],
-                           x.value[i] * y.value[j] * z.slope[l]);
+    const Vec3<Real> slope = spline.slope(a);
     const Vec3d force =
         (grid.region.frame.rotation * slope.cwiseProduct(scale)).template cast<double>();
     if (push_of_[row] == kNone) {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "base/parallel.h"
-
 namespace ice_ice_baby {
 
 namespace {
@@ -41,7 +39,7 @@ Pose<Real> worldFrame(const Scene& scene) {
 
 template <class Real>
 CoarseGrids<Real>::CoarseGrids(const Scene& scene, const Colliders<Real>& colliders)
-    : cell_d_m_(kCell_d * scene.fluid.spacing_m), cell_m_(static_cast<Real>(cell_d_m_)) {
+    : cell_m_(static_cast<Real>(kCell_d * scene.fluid.spacing_m)) {
   constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
   const Vec3<Real> unbounded = Vec3<Real>::Constant(kInfinity);
   for (std::size_t k = 0; k < colliders.count(); ++k) {

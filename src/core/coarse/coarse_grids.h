@@ -6,13 +6,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/parallel.h"
 #include "coarse/cell_passes.h"
 #include "colliders/colliders.h"
 #include "particles/particles.h"
 
 namespace ice_ice_baby {
 
-/// Edge of a cell, in spacings. With 2 a deep column breaks up; see doc/algorithm.md.
+/// Edge of a cell, in spacings.
 constexpr double kCell_d = 3.0;
 
 /// Where water is, as far as the coarse level is concerned: in a container, or outside of all.
@@ -79,6 +80,10 @@ class CoarseGrids {
   const std::vector<CoarseGrid<Real>>& grids() const { return grids_; }
   /// (sorted) index of each particle that lies in a cell.
   const std::vector<Index>& order() const { return order_; }
+  /// Calls visit(grid, particles, lowest node) for every cell that holds particles, on all threads:
+  /// cells that share a node one after the other, and in the same order for any number of threads.
+  template <class Visit>
+  void forEachCell(const Visit& visit) const;
   /// Grid of particle i.
   const CoarseGrid<Real>& gridOf(Index i) const { return grids_[grid_of_[i]]; }
   const CoarseGrid<Real>& gridOfNode(std::size_t node) const;
@@ -105,7 +110,7 @@ class CoarseGrids {
   std::size_t nodePadding() const { return node_padding_; }
   /// Number of a node that does not depend on the boxes, ascending with that in the boxes.
   std::uint64_t nodeKey(std::size_t node) const;
-  const std::vector<CellPlane>& planes(int colour) const { return planes_[std::size_t(colour)]; }
+  /// Planes of one colour share no node.
   static constexpr int kColours = 3;
 
   std::size_t bytes() const;
@@ -118,7 +123,6 @@ class CoarseGrids {
   void numberCells();
   void countingSort();
 
-  double cell_d_m_;
   Real cell_m_;
   std::vector<CoarseGrid<Real>> grids_;
   std::vector<std::size_t> by_size_;                  ///< grids of containers, the smallest first
@@ -135,5 +139,24 @@ class CoarseGrids {
   std::size_t node_count_ = 0;
   std::size_t node_padding_ = 0;
 };
+
+template <class Real>
+template <class Visit>
+void CoarseGrids<Real>::forEachCell(const Visit& visit) const {
+  for (const std::vector<CellPlane>& planes : planes_) {
+    parallelFor(
+        planes.size(),
+        [&](std::size_t k) {
+          const CoarseGrid<Real>& grid = grids_[planes[k].grid];
+          for (int y = 0; y < grid.cells.y(); ++y) {
+            for (int z = 0; z < grid.cells.z(); ++z) {
+              const CellRange cell = particlesIn(grid.cell(planes[k].x, y, z));
+              if (cell.count > 0) visit(grid, cell, grid.lowestNode(planes[k].x, y, z));
+            }
+          }
+        },
+        1);
+  }
+}
 
 }  // namespace ice_ice_baby

@@ -62,12 +62,16 @@ void CoarseMatrix<Real>::assemble(const CoarseGrids<Real>& grids, const CellPass
       strides_[std::size_t(a - active.begin())] = {grid.strideX(), grid.strideY()};
     }
   }
-  for (int colour = 0; colour < CoarseGrids<Real>::kColours; ++colour) {
-    const std::vector<CellPlane>& planes = grids.planes(colour);
-    parallelFor(
-        planes.size(),
-        [&](std::size_t k) { addPlane(grids, passes, particles, oblique, planes[k]); }, 1);
-  }
+  grids.forEachCell([&](const CoarseGrid<Real>& grid, CellRange cell, std::size_t lowest) {
+    if (!anyActive(grid, lowest)) return;
+    std::array<Real, kCellPairs> pairs;
+    passes.normalMatrix(particles, cell, pairs.data());
+    addCell(grid, lowest, pairs.data());
+    auto hold = firstHold(oblique, cell.first);
+    for (; hold != oblique.end() && hold->sorted < cell.first + cell.count; ++hold) {
+      addOblique(grid, lowest, particles, *hold);
+    }
+  });
   diagonal_.resize(active.size());
   for (std::size_t row = 0; row < active.size(); ++row) {
     diagonal_[row] = rows_[row * kStencil + kStencil / 2];
@@ -75,32 +79,11 @@ void CoarseMatrix<Real>::assemble(const CoarseGrids<Real>& grids, const CellPass
 }
 
 template <class Real>
-void CoarseMatrix<Real>::addPlane(const CoarseGrids<Real>& grids, const CellPasses<Real>& passes,
-                                  const CellParticles<Real>& particles,
-                                  const std::vector<ObliqueHold<Real>>& oblique,
-                                  const CellPlane& plane) {
-  const CoarseGrid<Real>& grid = grids.grids()[plane.grid];
-  std::array<Real, kCellPairs> pairs;
-  for (int y = 0; y < grid.cells.y(); ++y) {
-    for (int z = 0; z < grid.cells.z(); ++z) {
-      const CellRange cell = grids.particlesIn(grid.cell(plane.x, y, z));
-      if (cell.count == 0) continue;
-      const std::size_t lowest = grid.lowestNode(plane.x, y, z);
-      bool needed = false;
-      for (std::size_t k = 0; k < kCellNodes && !needed; ++k) {
-        needed = row_of_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(k))] != kNone;
-      }
-      if (!needed) continue;
-      passes.normalMatrix(particles, cell, pairs.data());
-      addCell(grid, lowest, pairs.data());
-      auto hold = std::lower_bound(
-          oblique.begin(), oblique.end(), cell.first,
-          [](const ObliqueHold<Real>& one, std::size_t first) { return one.sorted < first; });
-      for (; hold != oblique.end() && hold->sorted < cell.first + cell.count; ++hold) {
-        addOblique(grid, lowest, particles, *hold);
-      }
-    }
+bool CoarseMatrix<Real>::anyActive(const CoarseGrid<Real>& grid, std::size_t lowest) const {
+  for (std::size_t a = 0; a < kCellNodes; ++a) {
+    if (row_of_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))] != kNone) return true;
   }
+  return false;
 }
 
 template <class Real>
@@ -122,16 +105,11 @@ void CoarseMatrix<Real>::addOblique(const CoarseGrid<Real>& grid, std::size_t lo
                                     const CellParticles<Real>& particles,
                                     const ObliqueHold<Real>& hold) {
   const std::size_t k = hold.sorted;
-  const SplineAlong<Real> x(particles.place[0][k]), y(particles.place[1][k]),
-      z(particles.place[2][k]);
+  const SplineAt<Real> spline(particles, k);
   const Vec3<Real> scale = scaleOf(particles, k);
   std::array<Vec3<Real>, kCellNodes> slopes;
   for (std::size_t a = 0; a < kCellNodes; ++a) {
-    const std::size_t i = a / 9, j = a / 3 % 3, l = a % 3;
-    const Vec3<Real> slope(x.slope[i] * y.value[j] * z.value[l],
-                           x.value[i] * y.slope[j] * z.value[l],
-                           x.value[i] * y.value[j] * z.slope[l]);
-    slopes[a] = particles.volume[k] * hold.project(slope.cwiseProduct(scale));
+    slopes[a] = particles.volume[k] * hold.project(spline.slope(a).cwiseProduct(scale));
   }
   for (std::size_t a = 0; a < kCellNodes; ++a) {
     const Index row = row_of_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))];

@@ -37,7 +37,7 @@ template <class Real>
 class CoarseMatrix {
  public:
   /// A = sum over the particles of v^2 grad phi_a . F grad phi_b for active nodes a; F leaves the
-  /// directions that are free. Members of ice bodies count as those; see addBodies.
+  /// directions that are free. Members of ice bodies are left to addBodies.
   /// @param active ascending numbers of nodes
   void assemble(const CoarseGrids<Real>& grids, const CellPasses<Real>& passes,
                 const CellParticles<Real>& particles, const std::vector<ObliqueHold<Real>>& oblique,
@@ -69,9 +69,7 @@ class CoarseMatrix {
   void addCell(const CoarseGrid<Real>& grid, std::size_t lowest, const Real* pairs);
   void addOblique(const CoarseGrid<Real>& grid, std::size_t lowest,
                   const CellParticles<Real>& particles, const ObliqueHold<Real>& hold);
-  void addPlane(const CoarseGrids<Real>& grids, const CellPasses<Real>& passes,
-                const CellParticles<Real>& particles, const std::vector<ObliqueHold<Real>>& oblique,
-                const CellPlane& plane);
+  bool anyActive(const CoarseGrid<Real>& grid, std::size_t lowest) const;
 
   std::size_t most_rows_ = 0;
   std::vector<Index> active_;

@@ -44,26 +44,6 @@ DisplacementProjection<Real>::DisplacementProjection(const Scene& scene,
       grids_(scene, colliders) {}
 
 template <class Real>
-template <class Visit>
-void DisplacementProjection<Real>::forEachCell(const Visit& visit) {
-  for (int colour = 0; colour < CoarseGrids<Real>::kColours; ++colour) {
-    const std::vector<CellPlane>& planes = grids_.planes(colour);
-    parallelFor(
-        planes.size(),
-        [&](std::size_t k) {
-          const CoarseGrid<Real>& grid = grids_.grids()[planes[k].grid];
-          for (int y = 0; y < grid.cells.y(); ++y) {
-            for (int z = 0; z < grid.cells.z(); ++z) {
-              const CellRange cell = grids_.particlesIn(grid.cell(planes[k].x, y, z));
-              if (cell.count > 0) visit(grid, cell, grid.lowestNode(planes[k].x, y, z));
-            }
-          }
-        },
-        1);
-  }
-}
-
-template <class Real>
 void DisplacementProjection<Real>::project(Particles<Real>& particles,
                                            const IceBodies<Real>* bodies,
                                            const std::vector<Real>& density,
@@ -83,8 +63,6 @@ void DisplacementProjection<Real>::project(Particles<Real>& particles,
     matrix_.assemble(grids_, passes_, sorted_, oblique_, active_);
     matrix_.addBodies(bodies, particles, particle_kg_, grids_, sorted_, place_, fill_);
     solver_.solve(matrix_, active_, excess_, mu_);
-    iterations_ += std::uint64_t(solver_.iterations());
-    ++solves_;
   }
   keepGuess();
   move(particles, dt);
@@ -120,7 +98,7 @@ void DisplacementProjection<Real>::gather(const Particles<Real>& particles,
   if (bodies) place_.assign(particles.size(), kNone);
   const VectorField<Real>& x = particles.position;
   if (!colliders_.empty()) {
-    const Real margin = static_cast<Real>(0.01) * spacing_;
+    const Real margin = static_cast<Real>(kTouch_d) * spacing_;
     parallelForRanges(particles.size(), [&](std::size_t first, std::size_t last) {
       forEachNear(colliders_, Paths<Real>{x, x}, margin, first, last,
                   [&](std::size_t i) { touches_[i] = true; });
@@ -154,7 +132,7 @@ void DisplacementProjection<Real>::gather(const Particles<Real>& particles,
   for (std::size_t k = 0; k < order.size(); ++k) {
     const Index i = order[k];
     if (!touches_[i]) continue;
-    if (sorted_.weight[k] == 0) {  // ice, whose contacts are its own
+    if (sorted_.weight[k] == 0) {  // ice, whose contacts are its own, or steam
       pressed_[i] = true;
       touches_[i] = false;
       continue;
@@ -179,7 +157,7 @@ void DisplacementProjection<Real>::gather(const Particles<Real>& particles,
 template <class Real>
 void DisplacementProjection<Real>::deposit() {
   deposits_.assign(grids_.nodeCount() * kDeposits, Real(0));
-  forEachCell([&](const CoarseGrid<Real>& grid, CellRange cell, std::size_t lowest) {
+  grids_.forEachCell([&](const CoarseGrid<Real>& grid, CellRange cell, std::size_t lowest) {
     std::array<Real, kCellNodes * kDeposits> sums;
     passes_.deposit(sorted_, cell, sums.data());
     for (std::size_t a = 0; a < kCellNodes; ++a) {
@@ -214,8 +192,7 @@ void DisplacementProjection<Real>::findActive(Real fall) {
     const Real density = deposits_[node * kDeposits + 3];
     const Real loose = (1 - static_cast<Real>(inside ? kSlack : kSurfaceSlack)) * fill - density;
     const Real room = inside ? loose : std::max(loose, (1 - margin) * rest[node] - fill);
-    const Real dense =
-        inside ? deposits_[node * kDeposits + 3] - static_cast<Real>(1 + kDense) * fill : Real(0);
+    const Real dense = inside ? density - static_cast<Real>(1 + kDense) * fill : Real(0);
     const Real relief = static_cast<Real>(kRelief) * calm * std::max(Real(0), dense);
     const Real b = std::max(Real(0), room) - flow - relief;
     if (room > 0 && b >= 0) continue;
@@ -225,6 +202,7 @@ void DisplacementProjection<Real>::findActive(Real fall) {
   }
 }
 
+/// Whether all 26 nodes around a node are filled.
 template <class Real>
 bool DisplacementProjection<Real>::interior(std::size_t node) const {
   const CoarseGrid<Real>& grid = grids_.gridOfNode(node);
@@ -272,7 +250,7 @@ void DisplacementProjection<Real>::move(Particles<Real>& particles, Real dt) {
   const std::size_t padded = grids_.order().size() + kCellPadding;
   for (std::vector<Real>& axis : moved_) axis.resize(padded);
   value_.resize(padded);
-  forEachCell([&](const CoarseGrid<Real>& grid, CellRange range, std::size_t lowest) {
+  grids_.forEachCell([&](const CoarseGrid<Real>& grid, CellRange range, std::size_t lowest) {
     std::array<Real, kCellNodes> mu;
     bool pushed = false;
     for (std::size_t a = 0; a < kCellNodes; ++a) {
@@ -282,9 +260,7 @@ void DisplacementProjection<Real>::move(Particles<Real>& particles, Real dt) {
     if (!pushed) return;
     passes_.interpolate(sorted_, range, mu.data(),
                         {moved_[0].data(), moved_[1].data(), moved_[2].data()}, value_.data());
-    auto hold = std::lower_bound(
-        oblique_.begin(), oblique_.end(), range.first,
-        [](const ObliqueHold<Real>& one, std::size_t first) { return one.sorted < first; });
+    auto hold = firstHold(oblique_, range.first);
     for (std::size_t k = range.first; k < range.first + range.count; ++k) {
       const bool held = hold != oblique_.end() && hold->sorted == k;
       moveParticle(particles, grid.region, k, held ? &*hold : nullptr, dt);
@@ -372,13 +348,13 @@ bool DisplacementProjection<Real>::atSurface(std::size_t k) const {
   const Index i = grids_.order()[k];
   const CoarseGrid<Real>& grid = grids_.gridOf(i);
   const std::size_t lowest = grids_.lowestNodeOf(i);
-  const SplineAlong<Real> x(sorted_.place[0][k]), y(sorted_.place[1][k]), z(sorted_.place[2][k]);
+  const SplineAt<Real> spline(sorted_, k);
   Real filled = 0;
   for (std::size_t a = 0; a < kCellNodes; ++a) {
     const std::size_t node = std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a));
     const Real rest = free_volume_.atNodes()[node], fill = deposits_[node * kDeposits + 1];
     const Real share = rest > 0 ? std::min(Real(1), fill / rest) : Real(1);
-    filled += share * x.value[a / 9] * y.value[a / 3 % 3] * z.value[a % 3];
+    filled += share * spline.value(a);
   }
   return filled < static_cast<Real>(kAtSurface);
 }

@@ -38,8 +38,6 @@ class DisplacementProjection {
   void rescale(double ratio);
   void reorder(const std::vector<Index>& order);
 
-  std::uint64_t iterations() const { return iterations_; }
-  std::uint64_t solves() const { return solves_; }
   std::size_t activeNodes() const { return active_.size(); }
   std::size_t bytes() const;
 
@@ -75,8 +73,6 @@ class DisplacementProjection {
                          const ObliqueHold<Real>* oblique) const;
   void moveParticle(Particles<Real>& particles, const CoarseRegion<Real>& region, std::size_t k,
                     const ObliqueHold<Real>* oblique, Real dt);
-  template <class Visit>
-  void forEachCell(const Visit& visit);
 
   const Colliders<Real>& colliders_;
   const Phases<Real>* phases_;
@@ -103,7 +99,6 @@ class DisplacementProjection {
   std::vector<Guess> guess_;
   std::vector<Real> scratch_;
   std::vector<std::array<double, 2>> surface_;  ///< (grids) sum of pressures at the surface, count
-  std::uint64_t iterations_ = 0, solves_ = 0;
 };
 
 }  // namespace ice_ice_baby

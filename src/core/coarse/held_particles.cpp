@@ -6,8 +6,6 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Gap to a wall, in spacings, below which a particle touches it.
-constexpr double kTouch_d = 0.01;
 /// Cosine of the angle to an axis from which on a normal is that axis.
 constexpr double kAligned = 0.99999;
 
@@ -20,14 +18,18 @@ void hold(Hold<Real>& particle, const Vec3<Real>& into) {
     particle.free[axis] = 0;
     return;
   }
-  ObliqueHold<Real>& oblique = particle.oblique;
-  if (oblique.count == 3) return;
-  const Vec3<Real> rest = oblique.project(into);
-  if (rest.squaredNorm() < Real(1e-4)) return;
-  oblique.normal[std::size_t(oblique.count++)] = rest.normalized();
+  particle.oblique.add(into);
 }
 
 }  // namespace
+
+template <class Real>
+void ObliqueHold<Real>::add(const Vec3<Real>& direction) {
+  if (count == 3) return;
+  const Vec3<Real> rest = project(direction);
+  if (rest.squaredNorm() < Real(1e-4)) return;
+  normal[std::size_t(count++)] = rest.normalized();
+}
 
 template <class Real>
 Hold<Real> holdAtWalls(const Colliders<Real>& colliders, const Pose<Real>& grid, Real spacing_m,
@@ -51,22 +53,20 @@ Hold<Real> holdAtWalls(const Colliders<Real>& colliders, const Pose<Real>& grid,
   }
   if (particle.oblique.count > 0) {
     // All in one projection: an axis that is held too is one of its normals.
-    Hold<Real> axes;
+    ObliqueHold<Real> all;
     for (int axis = 0; axis < 3; ++axis) {
-      if (particle.free[axis] != 0) continue;
-      axes.oblique.normal[std::size_t(axes.oblique.count++)] = Vec3<Real>::Unit(axis);
+      if (particle.free[axis] == 0) all.add(Vec3<Real>::Unit(axis));
     }
-    for (int k = 0; k < particle.oblique.count && axes.oblique.count < 3; ++k) {
-      const Vec3<Real> rest = axes.oblique.project(particle.oblique.normal[std::size_t(k)]);
-      if (rest.squaredNorm() < Real(1e-4)) continue;
-      axes.oblique.normal[std::size_t(axes.oblique.count++)] = rest.normalized();
-    }
-    particle.oblique = axes.oblique;
+    for (int k = 0; k < particle.oblique.count; ++k)
+      all.add(particle.oblique.normal[std::size_t(k)]);
+    particle.oblique = all;
     particle.free.setOnes();
   }
   return particle;
 }
 
+template struct ObliqueHold<float>;
+template struct ObliqueHold<double>;
 template struct Hold<float>;
 template struct Hold<double>;
 template Hold<float> holdAtWalls(const Colliders<float>&, const Pose<float>&, float,

@@ -2,6 +2,7 @@
 // pressure of the coarse level pushes them through it.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "coarse/coarse_grids.h"
@@ -15,12 +16,26 @@ struct ObliqueHold {
   int count = 0;
   std::array<Vec3<Real>, 3> normal;  ///< orthonormal, in the frame of the grid
 
+  /// Holds along one more direction, unless it is held already.
+  void add(const Vec3<Real>& direction);
   /// The part of a vector that is free.
   Vec3<Real> project(Vec3<Real> v) const {
     for (int k = 0; k < count; ++k) v -= v.dot(normal[std::size_t(k)]) * normal[std::size_t(k)];
     return v;
   }
 };
+
+/// The first of the holds, in ascending order, whose place in the order is not before `sorted`.
+template <class Real>
+typename std::vector<ObliqueHold<Real>>::const_iterator firstHold(
+    const std::vector<ObliqueHold<Real>>& holds, std::size_t sorted) {
+  return std::lower_bound(
+      holds.begin(), holds.end(), sorted,
+      [](const ObliqueHold<Real>& hold, std::size_t first) { return hold.sorted < first; });
+}
+
+/// Gap to a wall, in spacings, below which a particle touches it.
+constexpr double kTouch_d = 0.01;
 
 /// What the walls that a particle touches do to it.
 template <class Real>

@@ -19,8 +19,6 @@ class OneSidedSolver {
   void solve(const CoarseMatrix<Real>& matrix, const std::vector<Index>& active,
              const std::vector<Real>& b, NodeField<Real>& mu);
 
-  /// Iterations of the latest solve.
-  int iterations() const { return iterations_; }
   std::size_t bytes() const;
 
  private:
@@ -32,7 +30,7 @@ class OneSidedSolver {
   std::vector<Real> residual_, scaled_, product_, direction_;
   NodeField<Real> search_;
   std::vector<double> partial_;
-  int iterations_ = 0;
+  int iterations_ = 0;  ///< of the present solve
 };
 
 }  // namespace ice_ice_baby
