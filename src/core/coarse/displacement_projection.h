@@ -16,6 +16,9 @@
 
 namespace ice_ice_baby {
 
+/// Water is fast beyond this many displacements by gravity in a substep.
+constexpr double kFast_falls = 3.0;
+
 template <class Real>
 class DisplacementProjection {
  public:

@@ -41,46 +41,51 @@ bool inSolid(const Colliders<Real>& colliders, const Vec3<Real>& point) {
 }  // namespace
 
 template <class Real>
-bool FreeVolume<Real>::current(const CoarseGrids<Real>& grids,
-                               const Colliders<Real>& colliders) const {
-  if (boxes_.size() != 2 * grids.grids().size() || poses_.size() != colliders.count()) return false;
-  for (std::size_t g = 0; g < grids.grids().size(); ++g) {
-    const CoarseGrid<Real>& grid = grids.grids()[g];
-    if (grid.low != boxes_[2 * g] || grid.cells != boxes_[2 * g + 1]) return false;
-  }
-  for (std::size_t k = 0; k < poses_.size(); ++k) {
+bool FreeVolume<Real>::movedSince(const Colliders<Real>& colliders) const {
+  for (std::size_t k = 0; k < colliders.count(); ++k) {
     const Pose<Real>& pose = colliders[k].motion.from;
-    if (pose.position != poses_[k].position || pose.rotation != poses_[k].rotation) return false;
+    if (k >= poses_.size() || pose.position != poses_[k].position ||
+        pose.rotation != poses_[k].rotation) {
+      return true;
+    }
   }
-  return true;
+  return false;
 }
 
 template <class Real>
 void FreeVolume<Real>::update(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders) {
-  if (current(grids, colliders)) return;
-  boxes_.clear();
+  if (movedSince(colliders)) boxes_.clear();
   poses_.clear();
-  for (const CoarseGrid<Real>& grid : grids.grids()) {
-    boxes_.push_back(grid.low);
-    boxes_.push_back(grid.cells);
-  }
   for (const MovingShape<Real>& collider : colliders) poses_.push_back(collider.motion.from);
-  volume_.assign(grids.nodeCount(), Real(0));
+  boxes_.resize(grids.grids().size());
+  volume_.resize(grids.nodeCount());
+  for (std::size_t g = 0; g < boxes_.size(); ++g) {
+    const CoarseGrid<Real>& grid = grids.grids()[g];
+    Box& box = boxes_[g];
+    if (grid.low == box.low && grid.cells == box.cells && grid.first_node == box.first_node) {
+      continue;
+    }
+    box = {grid.low, grid.cells, grid.first_node};
+    if (!grid.empty()) compute(grids, colliders, grid);
+  }
+}
+
+template <class Real>
+void FreeVolume<Real>::compute(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
+                               const CoarseGrid<Real>& grid) {
+  std::fill_n(volume_.begin() + std::ptrdiff_t(grid.first_node), grid.nodeCount(), Real(0));
   // A cell of the border gives to the nodes of the box too.
   for (int colour = 0; colour < CoarseGrids<Real>::kColours; ++colour) {
-    for (const CoarseGrid<Real>& grid : grids.grids()) {
-      if (grid.empty()) continue;
-      const int planes = (grid.cells.x() + 2 - colour + 2) / 3;
-      parallelFor(
-          std::size_t(std::max(planes, 0)),
-          [&](std::size_t k) {
-            const int x = colour - 1 + 3 * int(k);
-            for (int y = -1; y <= grid.cells.y(); ++y) {
-              for (int z = -1; z <= grid.cells.z(); ++z) addCell(grids, colliders, grid, {x, y, z});
-            }
-          },
-          1);
-    }
+    const int planes = (grid.cells.x() + 2 - colour + 2) / 3;
+    parallelFor(
+        std::size_t(std::max(planes, 0)),
+        [&](std::size_t k) {
+          const int x = colour - 1 + 3 * int(k);
+          for (int y = -1; y <= grid.cells.y(); ++y) {
+            for (int z = -1; z <= grid.cells.z(); ++z) addCell(grids, colliders, grid, {x, y, z});
+          }
+        },
+        1);
   }
 }
 
@@ -137,24 +142,27 @@ void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<R
               toWorld((px[0] + px[1]) / 2, (py[0] + py[1]) / 2, (pz[0] + pz[1]) / 2);
           if (!reachable(point) || inSolid(colliders, point)) continue;
         }
-        const auto wx = integrals(px[0], px[1]), wy = integrals(py[0], py[1]),
-                   wz = integrals(pz[0], pz[1]);
-        for (int a = 0; a < 3; ++a) {
-          for (int b = 0; b < 3; ++b) {
-            for (int c = 0; c < 3; ++c) {
-              const Eigen::Vector3i node = cell + Eigen::Vector3i(a, b, c);
-              if ((node.array() < 0).any() || (node.array() >= grid.nodes().array()).any())
-                continue;
-              const std::size_t number =
-                  grid.first_node +
-                  std::size_t(node.x() * grid.strideX() + node.y() * grid.strideY() + node.z());
-              volume_[number] +=
-                  particles * wx[std::size_t(a)] * wy[std::size_t(b)] * wz[std::size_t(c)];
-            }
-          }
-        }
+        addPart(grid, cell,
+                {integrals(px[0], px[1]), integrals(py[0], py[1]), integrals(pz[0], pz[1])},
+                particles);
       }
     }
+  }
+}
+
+/// Adds a part of a cell to the nodes around it that the box has.
+/// @param splines integrals over the part along each axis
+/// @param particles in a whole cell
+template <class Real>
+void FreeVolume<Real>::addPart(const CoarseGrid<Real>& grid, const Eigen::Vector3i& cell,
+                               const std::array<std::array<Real, 3>, 3>& splines, Real particles) {
+  for (std::size_t a = 0; a < kCellNodes; ++a) {
+    const std::size_t i = a / 9, j = a / 3 % 3, k = a % 3;
+    const Eigen::Vector3i node = cell + Eigen::Vector3i(int(i), int(j), int(k));
+    if ((node.array() < 0).any() || (node.array() >= grid.nodes().array()).any()) continue;
+    const std::ptrdiff_t number = node.x() * grid.strideX() + node.y() * grid.strideY() + node.z();
+    volume_[grid.first_node + std::size_t(number)] +=
+        particles * splines[0][i] * splines[1][j] * splines[2][k];
   }
 }
 

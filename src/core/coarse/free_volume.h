@@ -11,21 +11,33 @@ namespace ice_ice_baby {
 template <class Real>
 class FreeVolume {
  public:
-  /// Follows the grids. Nothing is computed while boxes and colliders stay as they are.
+  /// Follows the grids. A grid is computed again only when its box or a collider has moved.
   void update(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders);
 
   /// (nodes)
   const std::vector<Real>& atNodes() const { return volume_; }
-  std::size_t bytes() const { return (volume_.capacity() + boxes_.capacity()) * sizeof(Real); }
+  std::size_t bytes() const {
+    return volume_.capacity() * sizeof(Real) + boxes_.capacity() * sizeof(Box);
+  }
 
  private:
-  bool current(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders) const;
+  /// What the volumes of a grid were computed for.
+  struct Box {
+    Eigen::Vector3i low = Eigen::Vector3i::Zero();
+    Eigen::Vector3i cells = Eigen::Vector3i::Zero();
+    std::size_t first_node = 0;
+  };
+  bool movedSince(const Colliders<Real>& colliders) const;
+  void compute(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
+               const CoarseGrid<Real>& grid);
   void addCell(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
                const CoarseGrid<Real>& grid, const Eigen::Vector3i& cell);
+  void addPart(const CoarseGrid<Real>& grid, const Eigen::Vector3i& cell,
+               const std::array<std::array<Real, 3>, 3>& splines, Real particles);
 
-  std::vector<Real> volume_;
-  std::vector<Eigen::Vector3i> boxes_;  ///< low and cells of each grid
-  std::vector<Pose<Real>> poses_;       ///< of each collider
+  std::vector<Real> volume_;       ///< (nodes)
+  std::vector<Box> boxes_;         ///< (grids)
+  std::vector<Pose<Real>> poses_;  ///< of each collider
 };
 
 }  // namespace ice_ice_baby

@@ -1,0 +1,67 @@
+// The pressure of the coarse level at the surface of the water.
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "coarse/displacement_projection.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// A particle is at the surface if less than this share of its surroundings is filled, and if its
+/// pressure is that of fewer layers.
+constexpr double kAtSurface = 0.65, kSurfaceLayers = 5.0;
+
+}  // namespace
+
+/// The splines of a grid end somewhere in its cells and not at the surface of the water, where the
+/// pressure is that of half a layer. What is left there in the mean is taken off all the water of
+/// the grid, if it is slow; forces do not change.
+template <class Real>
+void DisplacementProjection<Real>::levelPressure(const Vec3<Real>& gravity, Real dt) {
+  if (active_.empty()) return;
+  const std::vector<Index>& order = grids_.order();
+  const CoarseGrid<Real>* first = grids_.grids().data();
+  const Real layer = spacing_ * gravity.norm() * dt * dt;
+  const Real fast = static_cast<Real>(2 * kFast_falls) * layer / (spacing_ * grids_.cell_m());
+  const Real fast2 = fast * fast;
+  surface_.assign(grids_.grids().size(), {0.0, 0.0});
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const Real value = multiplier_[order[k]];
+    const bool candidate = value != 0 && -value <= static_cast<Real>(kSurfaceLayers) * layer &&
+                           sorted_.drift2[k] <= fast2;
+    if (!candidate || !atSurface(k)) continue;
+    auto& [sum, count] = surface_[std::size_t(&grids_.gridOf(order[k]) - first)];
+    sum += double(value);
+    count += 1.0;
+  }
+  parallelFor(order.size(), [&](std::size_t k) {
+    const Index i = order[k];
+    const auto [sum, count] = surface_[std::size_t(&grids_.gridOf(i) - first)];
+    if (count == 0.0 || multiplier_[i] == 0) return;
+    const double excess = std::min(0.0, sum / count + double(layer) / 2);
+    multiplier_[i] = std::min(Real(0), multiplier_[i] - static_cast<Real>(excess));
+  });
+}
+
+/// Whether a third of the surroundings of particle k of the order, as its nodes see them, is empty.
+template <class Real>
+bool DisplacementProjection<Real>::atSurface(std::size_t k) const {
+  const Index i = grids_.order()[k];
+  const CoarseGrid<Real>& grid = grids_.gridOf(i);
+  const std::size_t lowest = grids_.lowestNodeOf(i);
+  const SplineAt<Real> spline(sorted_, k);
+  Real filled = 0;
+  for (std::size_t a = 0; a < kCellNodes; ++a) {
+    const std::size_t node = std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a));
+    const Real rest = free_volume_.atNodes()[node], fill = deposits_[node * kDeposits + 1];
+    const Real share = rest > 0 ? std::min(Real(1), fill / rest) : Real(1);
+    filled += share * spline.value(a);
+  }
+  return filled < static_cast<Real>(kAtSurface);
+}
+
+template class DisplacementProjection<float>;
+template class DisplacementProjection<double>;
+
+}  // namespace ice_ice_baby
