@@ -15,7 +15,7 @@ void requireReadable(const std::string& message);
 void requireWhole(const Simulation& simulation, std::size_t particles);
 
 /// Whether two frames of the scene take milliseconds.
-bool isSmall(const Scene& scene);
+bool isSmall(const Scene& scene, std::int64_t particles);
 
 /// Runs two frames under requireWhole.
 void runTwoFrames(Simulation& simulation);
