@@ -12,7 +12,7 @@ constexpr double kAsWanted = 0.999;
 }  // namespace
 
 void addHeat(diagnostic_updater::DiagnosticStatusWrapper& status, const Snapshot& now) {
-  if (!now.heat) return;
+  if (!now.thermal) return;
   const StepReport& report = now.report;
   const bool watched = report.frame > 0 && !report.asleep;
   if (watched && report.thermal_speedup < kAsWanted * now.thermal_speedup_wanted) {

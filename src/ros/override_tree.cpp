@@ -42,7 +42,7 @@ std::string mapText(const XmlRpcValue& map, const std::string& key) {
 }
 
 /// Far above any scene written by hand.
-constexpr std::size_t kMostText = 1000000;
+constexpr std::size_t kMaxText = 1000000;
 
 std::size_t textOf(const std::vector<Override>& overrides) {
   std::size_t total = 0;
@@ -90,9 +90,9 @@ std::vector<Override> readOverrides(const XmlRpcValue& tree) {
                        " must be a map of scene keys, as {fluid: {spacing_m: 0.04}}");
   }
   collect(tree, "", overrides);
-  if (textOf(overrides) > kMostText) {
+  if (textOf(overrides) > kMaxText) {
     throw InvalidInput("parameter ~overrides holds " + std::to_string(textOf(overrides)) +
-                       " characters, outside the allowed range [0, " + std::to_string(kMostText) +
+                       " characters, outside the allowed range [0, " + std::to_string(kMaxText) +
                        "]; put the scene in a .yaml file and name it in ~scene");
   }
   return overrides;

@@ -248,7 +248,7 @@ void SimulationThread::updateSnapshot() {
   latest_.scene = scene.name;
   latest_.preset = scene.preset;
   latest_.precision = simulation_->precision();
-  latest_.heat = scene.thermal.enabled;
+  latest_.thermal = scene.thermal.enabled;
   latest_.thermal_speedup_wanted = scene.thermal.speedup;
   latest_.gravity_m_s2 = scene.gravity_m_s2;
   latest_.real_time_factor = latest_.paused ? 0.0 : real_time_factor_.value();

@@ -23,7 +23,7 @@ struct Snapshot {
   Preset preset = Preset::kDefault;
   Precision precision = Precision::kFloat;
   Vec3d gravity_m_s2 = Vec3d::Zero();
-  bool heat = false;                    ///< whether each particle has a temperature of its own
+  bool thermal = false;                 ///< whether each particle has a temperature of its own
   double thermal_speedup_wanted = 0.0;  ///< thermal.speedup of the scene
   std::vector<std::string> colliders;   ///< names
   bool paused = false;

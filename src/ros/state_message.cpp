@@ -35,8 +35,8 @@ State stateMessage(const Snapshot& snapshot, const std_msgs::Header& header) {
   state.precision = choiceName(snapshot.precision);
   state.paused = snapshot.paused;
   state.state_hash = snapshot.state_hash;
-  state.heat = snapshot.heat;
-  if (snapshot.heat) state.targets = snapshot.colliders;
+  state.thermal = snapshot.thermal;
+  if (snapshot.thermal) state.targets = snapshot.colliders;
   state.gravity = vectorMessage(snapshot.gravity_m_s2);
   state.real_time_factor = snapshot.real_time_factor;
   for (const StageStats& stage : snapshot.stages) {

@@ -180,8 +180,9 @@ void ControlPanel::showState(const State& state) {
   pause_->setText(paused_ ? "Resume" : "Pause");
   step_->setEnabled(paused_);
   state_view_->show(state);
-  temperature_->showInForce(state.temperature, state.heat ? state.mean_temperature : std::nan(""));
-  temperature_->offerTargets(state.heat, words(state.targets));
+  temperature_->showInForce(state.temperature,
+                            state.thermal ? state.mean_temperature : std::nan(""));
+  temperature_->offerTargets(state.thermal, words(state.targets));
   if (target_ && std::abs(state.temperature - *target_) < kArrived_c) target_.reset();
   if (!target_) temperature_->showTarget(state.temperature);
   if (scene_->view()->isVisible()) return;

@@ -15,7 +15,7 @@ QString count(std::uint32_t number) {
 
 /// Strictness in words: 0 is water, 1 is ice, between them both. With heat: how much of each.
 QString phase(const State& state) {
-  if (state.heat) {
+  if (state.thermal) {
     const QString ice = QString("%p % ice");
     return state.steam_particles > 0 ? ice + ", " + count(state.steam_particles) + " steam" : ice;
   }

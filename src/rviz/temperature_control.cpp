@@ -82,7 +82,7 @@ void TemperatureControl::layOut() {
   grid->addWidget(ramp_, 3, 1);
 }
 
-void TemperatureControl::offerTargets(bool heat, const QStringList& colliders) {
+void TemperatureControl::offerTargets(bool thermal, const QStringList& colliders) {
   QStringList offered;
   for (int k = 1; k < choice_->count(); ++k) offered << choice_->itemText(k);
   if (choice_->count() == 0 || offered != colliders) {
@@ -92,9 +92,9 @@ void TemperatureControl::offerTargets(bool heat, const QStringList& colliders) {
     for (const QString& name : colliders) choice_->addItem(name, name);
     choice_->setCurrentIndex(std::max(0, choice_->findData(chosen)));
   }
-  of_->setVisible(heat);
-  choice_->setVisible(heat);
-  setWarmest(heat ? kWarmestThermal_c : kWarmest_c);
+  of_->setVisible(thermal);
+  choice_->setVisible(thermal);
+  setWarmest(thermal ? kWarmestThermal_c : kWarmest_c);
 }
 
 void TemperatureControl::setWarmest(int celsius) {

@@ -28,7 +28,7 @@ class TemperatureControl : public QWidget {
   void showInForce(double celsius, double mean_c);
 
   /// Offers the air and these colliders; hidden if the scene is not thermal.
-  void offerTargets(bool heat, const QStringList& colliders);
+  void offerTargets(bool thermal, const QStringList& colliders);
 
   double ramp() const;  ///< s
   void setRamp(double seconds);

@@ -68,7 +68,7 @@ class Heat(unittest.TestCase):
 
     def test_heat_region(self):
         state = self.node.start("warm")
-        self.assertEqual((state.heat, state.targets), (True, ["container", "plate"]))
+        self.assertEqual((state.thermal, state.targets), (True, ["container", "plate"]))
         answer = self.torch()
         self.assertTrue(answer.success, answer.message)
         self.assertEqual(

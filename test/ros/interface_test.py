@@ -96,7 +96,7 @@ class Interface(unittest.TestCase):
         self.assertAlmostEqual(state.time_s, 3 / 60.0)
         self.assertEqual((state.particles, state.springs), (PARTICLES, 0))
         self.assertEqual((state.temperature, state.strictness), (20.0, 0.0))
-        self.assertEqual((state.heat, state.targets), (False, []))
+        self.assertEqual((state.thermal, state.targets), (False, []))
         self.assertTrue(state.paused)
         self.assertGreater(state.kinetic_energy_j, 0.0)
         self.assertGreater(state.frame_wall_s, 0.0)

@@ -285,7 +285,7 @@ TEST(StateMessage, DescribesEveryReportedNumberAsTheReportDoes) {
 /// Snapshot of a freezing pond.
 Snapshot freezingPond() {
   Snapshot snapshot;
-  snapshot.heat = true;
+  snapshot.thermal = true;
   snapshot.thermal_speedup_wanted = 100.0;
   snapshot.colliders = {"floor", "lid"};
   snapshot.report.frame = 5;
@@ -302,7 +302,7 @@ Snapshot freezingPond() {
 
 TEST(StateMessage, TellsOfHeat) {
   const State state = stateMessage(freezingPond(), std_msgs::Header());
-  EXPECT_TRUE(state.heat);
+  EXPECT_TRUE(state.thermal);
   EXPECT_EQ(state.targets, (std::vector<std::string>{"floor", "lid"}));
   EXPECT_EQ(state.mean_temperature, 1.5);
   EXPECT_EQ(state.enthalpy_j, 4e6);
@@ -315,9 +315,9 @@ TEST(StateMessage, TellsOfHeat) {
 
 TEST(StateMessage, HasNoTargetsWithoutHeat) {
   Snapshot snapshot = freezingPond();
-  snapshot.heat = false;
+  snapshot.thermal = false;
   const State state = stateMessage(snapshot, std_msgs::Header());
-  EXPECT_FALSE(state.heat);
+  EXPECT_FALSE(state.thermal);
   EXPECT_TRUE(state.targets.empty());
 }
 
@@ -326,7 +326,7 @@ using Status = diagnostic_updater::DiagnosticStatusWrapper;
 TEST(HeatStatus, SaysNothingWithoutHeat) {
   Status status;
   Snapshot snapshot = freezingPond();
-  snapshot.heat = false;
+  snapshot.thermal = false;
   snapshot.report.thermal_speedup = 0.0;
   addHeat(status, snapshot);
   EXPECT_TRUE(status.values.empty());

@@ -89,7 +89,7 @@ TEST(SimulationThread, TargetsAndRegionsNeedHeat) {
   SimulationThread thread(puddle(), paused(), {});
   EXPECT_THROW(thread.setTemperature(-5.0, 0.0, "ground"), InvalidInput);
   EXPECT_THROW(thread.heatRegion(torch()), InvalidInput);
-  EXPECT_FALSE(thread.snapshot().heat);
+  EXPECT_FALSE(thread.snapshot().thermal);
   EXPECT_EQ(thread.snapshot().colliders, std::vector<std::string>{"ground"});
 }
 
@@ -103,7 +103,7 @@ TEST(SimulationThread, TargetsAndRegionsAreCheckedBeforeTheyAreQueued) {
   EXPECT_THROW(thread.heatRegion(endless), InvalidInput);
   thread.step(1);
   ASSERT_TRUE(reaches(thread, 1));
-  EXPECT_TRUE(thread.snapshot().heat);
+  EXPECT_TRUE(thread.snapshot().thermal);
   EXPECT_EQ(thread.snapshot().refused, 0u);
 }
 
@@ -263,7 +263,7 @@ TEST(SimulationThread, ContinuesALoadedSimulation) {
   ASSERT_TRUE(becomes(thread, [&](const Snapshot& now) { return now.state_hash == hash; }));
   EXPECT_EQ(thread.snapshot().report.frame, 3u);
   EXPECT_EQ(thread.snapshot().precision, Precision::kDouble);
-  EXPECT_TRUE(thread.snapshot().heat);
+  EXPECT_TRUE(thread.snapshot().thermal);
   EXPECT_NO_THROW(thread.setTemperature(-5.0, 0.0, "ground"));
   EXPECT_TRUE(becomes(thread, [&](const Snapshot& now) {
     return starts == 2 && now.state_hash != 0 && now.state_hash != hash;

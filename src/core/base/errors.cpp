@@ -20,16 +20,16 @@ std::string numberText(double value) {
 }
 
 std::string shortened(const std::string& text) {
-  constexpr std::size_t kMost = 100;
+  constexpr std::size_t kMax = 100;
   constexpr char kDigits[] = "0123456789abcdef";
   std::string out;
   for (const char* c = text.c_str(); *c; ++c) {
     const auto byte = static_cast<unsigned char>(*c);
     const bool within_character = (byte & 0xc0) == 0x80;  // of UTF-8
-    if (out.size() >= kMost && !within_character) return out + "...";
+    if (out.size() >= kMax && !within_character) return out + "...";
     if (isControl(byte)) {
       out += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
-    } else if (out.size() < kMost + 3) {
+    } else if (out.size() < kMax + 3) {
       out += *c;
     }
   }
@@ -37,10 +37,10 @@ std::string shortened(const std::string& text) {
 }
 
 std::string joined(const std::vector<std::string>& words) {
-  constexpr std::size_t kMost = 2000;
+  constexpr std::size_t kMax = 2000;
   std::string text;
   for (std::size_t k = 0; k < words.size(); ++k) {
-    if (text.size() > kMost) return text + " and " + std::to_string(words.size() - k) + " more";
+    if (text.size() > kMax) return text + " and " + std::to_string(words.size() - k) + " more";
     text += (text.empty() ? "" : ", ") + words[k];
   }
   return text;

@@ -24,7 +24,7 @@ void ListPages::Round::reserve(std::size_t writers) {
   const std::size_t full = kPageSize - widest_;
   const std::size_t needed = (written_ + full - 1) / full + writers - 1;
   if (pages_.size() >= needed) return;
-  if (double(needed + needed / 32) * kPageSize * sizeof(Index) > lists_.most_bytes_) return;
+  if (double(needed + needed / 32) * kPageSize * sizeof(Index) > lists_.max_bytes_) return;
   const std::size_t before = pages_.size();
   pages_.resize(needed + needed / 32);
   for (std::size_t k = before; k < pages_.size(); ++k) lists_.fit(pages_[k], kPageSize);
@@ -33,7 +33,7 @@ void ListPages::Round::reserve(std::size_t writers) {
 /// Left uninitialized, so that unused memory of a page is never touched.
 void ListPages::fit(Page& page, std::size_t size) {
   const std::size_t values = values_ - page.size + size;
-  if (double(values) * sizeof(Index) > most_bytes_) throw std::bad_alloc();
+  if (double(values) * sizeof(Index) > max_bytes_) throw std::bad_alloc();
   page.values.reset(new Index[size]);
   values_ = values;
   page.size = size;

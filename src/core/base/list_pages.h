@@ -27,7 +27,7 @@ class ListPages {
   }
 
   /// Allocating more than this many bytes throws std::bad_alloc.
-  void limit(double most_bytes) { most_bytes_ = most_bytes; }
+  void limit(double max_bytes) { max_bytes_ = max_bytes; }
 
   std::size_t bytes() const;
 
@@ -42,7 +42,7 @@ class ListPages {
   void fit(Page& page, std::size_t size);
 
   std::vector<Page> pages_;
-  double most_bytes_ = std::numeric_limits<double>::infinity();
+  double max_bytes_ = std::numeric_limits<double>::infinity();
   std::size_t values_ = 0;  ///< total size of all pages
 };
 

@@ -100,9 +100,9 @@ std::unique_ptr<Simulation> simulationFrom(StateReader& reader, int threads) {
   requireMemory(scene, machineMemory_bytes());
   std::uint32_t particles = 0, came = 0;
   reader(particles, came);
-  constexpr std::size_t kLeast_bytes =
+  constexpr std::size_t kMin_bytes =
       9 * sizeof(Real);  // positions, velocities, positions of the lists
-  const bool fits = particles <= reader.left() / kLeast_bytes;
+  const bool fits = particles <= reader.left() / kMin_bytes;
   const std::uint64_t ever = std::uint64_t(particleCount(scene)) + came;
   if (!fits || particles > ever || ever > kNone) {
     throw InvalidInput("invalid checkpoint: " + std::to_string(particles) +

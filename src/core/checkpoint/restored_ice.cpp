@@ -22,9 +22,9 @@ bool near(const Mat3<double>& a, const Mat3<double>& b) {
 }
 
 bool isPlacement(const Placement& placement) {
-  return placement.centre_m.cwiseAbs().maxCoeff() <= kFurthest_m &&
+  return placement.centre_m.cwiseAbs().maxCoeff() <= kMaxStoredCoordinate_m &&
          std::abs(placement.rotation.norm() - 1.0) <= kRounding &&
-         near(placement.turn, placement.rotation.toRotationMatrix());
+         near(placement.rotation_matrix, placement.rotation.toRotationMatrix());
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ void IceBodies<Real>::restoreBody(const IceBody& body, const Particles<Real>& pa
     const Vec3d& arm = offset_[m];
     const Vec3d x = particles.position.at(place_[m]).template cast<double>();
     const double room_m = 0.1 * radius_m_ + 1e-5 * x.norm();
-    requireValid(arm.norm() <= kFurthest_m && (body.pose.at(arm) - x).norm() <= room_m &&
+    requireValid(arm.norm() <= kMaxStoredCoordinate_m && (body.pose.at(arm) - x).norm() <= room_m &&
                      (body.next.at(arm) - x).norm() <= room_m && outward_[m].norm() <= 1.01,
                  "ice body far from its members");
     inertia +=
@@ -48,13 +48,14 @@ void IceBodies<Real>::restoreBody(const IceBody& body, const Particles<Real>& pa
     radius_m = std::max(radius_m, arm.norm());
   }
   const double mass_kg = particle_kg_ * double(body.count());
-  const Mat3<double>& turn = body.next.turn;
-  requireValid(std::abs(body.mass_kg - mass_kg) <= kRounding * mass_kg &&
-                   std::abs(body.radius_m - radius_m) <= kRounding * radius_m_ &&
-                   near(body.inertia, inertia) &&
-                   near(body.inertia * body.mobility, Mat3<double>::Identity()) &&
-                   near(body.mobility_now, turn * body.mobility * turn.transpose()),
-               "ice body with an inertia that its members do not have");
+  const Mat3<double>& rotation_matrix = body.next.rotation_matrix;
+  requireValid(
+      std::abs(body.mass_kg - mass_kg) <= kRounding * mass_kg &&
+          std::abs(body.radius_m - radius_m) <= kRounding * radius_m_ &&
+          near(body.inertia, inertia) &&
+          near(body.inertia * body.mobility, Mat3<double>::Identity()) &&
+          near(body.mobility_now, rotation_matrix * body.mobility * rotation_matrix.transpose()),
+      "ice body with an inertia that its members do not have");
   requireValid(body.fastest_m_s() <= kFastest_m_s && within(body.speed_m_s, 0, kFastest_m_s) &&
                    body.still_s >= 0.0,
                "ice body speed out of range");

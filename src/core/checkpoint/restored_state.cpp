@@ -11,7 +11,7 @@ namespace ice_ice_baby {
 namespace {
 
 /// Largest density, and largest multiplier, m^2.
-constexpr double kMost = 1e30;
+constexpr double kMax = 1e30;
 
 /// Longest delay of thermal passes and updates of phases, s.
 constexpr double kLongestWait_s = 1.0;
@@ -28,9 +28,9 @@ bool holds(const VectorField<Real>& field, std::size_t count) {
 }
 
 template <class Real>
-bool noFurther(const VectorField<Real>& field, double most) {
-  return allWithin(field.x, -most, most) && allWithin(field.y, -most, most) &&
-         allWithin(field.z, -most, most);
+bool allCoordinatesWithin(const VectorField<Real>& field, double max) {
+  return allWithin(field.x, -max, max) && allWithin(field.y, -max, max) &&
+         allWithin(field.z, -max, max);
 }
 
 }  // namespace
@@ -44,8 +44,9 @@ void Particles<Real>::restore(std::size_t count) {
                "particle ids not unique");
   requireValid(holds(position, count) && holds(velocity, count),
                "particle arrays of different lengths");
-  requireValid(noFurther(position, kFurthest_m), "particle position out of range");
-  requireValid(noFurther(velocity, kFastest_m_s), "particle speed out of range");
+  requireValid(allCoordinatesWithin(position, kMaxStoredCoordinate_m),
+               "particle position out of range");
+  requireValid(allCoordinatesWithin(velocity, kFastest_m_s), "particle speed out of range");
   predicted = position;
 }
 
@@ -55,19 +56,18 @@ void DensityConstraint<Real>::restore(std::size_t particles) {
   requireValid(density_.size() == particles && multiplier_.size() == particles &&
                    holds(correction_, started),
                "densities of a different number of particles");
-  requireValid(allWithin(density_, -kMost, kMost) && allWithin(multiplier_, -kMost, kMost) &&
-                   noFurther(correction_, kFurthest_m),
+  requireValid(allWithin(density_, -kMax, kMax) && allWithin(multiplier_, -kMax, kMax) &&
+                   allCoordinatesWithin(correction_, kMaxStoredCoordinate_m),
                "density out of range");
   resize(particles);
 }
 
 template <class Real>
 void DisplacementProjection<Real>::restore(std::size_t particles) const {
-  requireValid(multiplier_.size() == particles && allWithin(multiplier_, -kMost, kMost),
+  requireValid(multiplier_.size() == particles && allWithin(multiplier_, -kMax, kMax),
                "pressure of the coarse level out of range");
   for (const Guess& guess : guess_) {
-    requireValid(within(double(guess.mu), -kMost, 0.0),
-                 "pressure of the coarse level out of range");
+    requireValid(within(double(guess.mu), -kMax, 0.0), "pressure of the coarse level out of range");
   }
 }
 
@@ -149,8 +149,8 @@ void ThermalSolver<Real>::restore(std::size_t particles, const Scene& scene) con
   const bool possible = std::all_of(enthalpy_.begin(), enthalpy_.end(), [&](double enthalpy_j_kg) {
     return curve_.clampToRange(enthalpy_j_kg) == enthalpy_j_kg;
   });
-  requireValid(possible && allWithin(received_, -kMost, kMost), "enthalpy out of range");
-  requireValid(within(passes_, 0, kMostPasses) && longest_pass_s_ >= 0.0 && reached_speedup_ >= 0.0,
+  requireValid(possible && allWithin(received_, -kMax, kMax), "enthalpy out of range");
+  requireValid(within(passes_, 0, kMaxPasses) && longest_pass_s_ >= 0.0 && reached_speedup_ >= 0.0,
                "thermal pass out of range");
   walls_.restore();
   regions_.restore(scene);

@@ -11,7 +11,7 @@
 namespace ice_ice_baby {
 
 /// Far beyond the values of any run, and small enough that nothing computed from it overflows.
-constexpr double kFurthest_m = 1e12;
+constexpr double kMaxStoredCoordinate_m = 1e12;
 constexpr double kFastest_m_s = 1e8;
 
 inline void requireValid(bool valid, const char* what) {
@@ -39,9 +39,9 @@ inline bool distinct(const std::vector<Index>& indices, std::size_t count) {
 inline bool belowOrNone(Index index, std::size_t count) { return index < count || index == kNone; }
 
 template <class Matrix>
-bool isRotation(const Matrix& turn) {
+bool isRotation(const Matrix& rotation) {
   using Real = typename Matrix::Scalar;
-  return turn.isUnitary(Real(1e-3)) && turn.determinant() > 0;
+  return rotation.isUnitary(Real(1e-3)) && rotation.determinant() > 0;
 }
 
 }  // namespace ice_ice_baby

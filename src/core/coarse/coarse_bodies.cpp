@@ -62,10 +62,10 @@ void CoarseBodies<Real>::addProduct(const std::vector<Index>& active, const Real
       force += mu * pushes_[p].force;
       torque += mu * pushes_[p].torque;
     }
-    const Vec3d shift = body.mobility * force, turn = body.turning * torque;
+    const Vec3d shift = body.mobility * force, rotation = body.angular_mobility * torque;
     for (std::size_t p = body.first; p < body.last; ++p) {
       y[pushes_[p].row] +=
-          static_cast<Real>(pushes_[p].force.dot(shift) + pushes_[p].torque.dot(turn));
+          static_cast<Real>(pushes_[p].force.dot(shift) + pushes_[p].torque.dot(rotation));
     }
   }
 }
@@ -76,7 +76,7 @@ void CoarseBodies<Real>::addDiagonal(std::vector<Real>& diagonal) const {
     for (std::size_t p = body.first; p < body.last; ++p) {
       const Push& push = pushes_[p];
       diagonal[push.row] += static_cast<Real>(body.mobility * push.force.squaredNorm() +
-                                              push.torque.dot(body.turning * push.torque));
+                                              push.torque.dot(body.angular_mobility * push.torque));
     }
   }
 }

@@ -34,9 +34,9 @@ class CoarseBodies {
     Vec3d force, torque;  ///< in units of a particle and a cell
   };
   struct Body {
-    std::size_t first, last;  ///< pushes
-    double mobility;          ///< 1 / number of members
-    Mat3<double> turning;     ///< inverse of the moment of inertia, world axes
+    std::size_t first, last;        ///< pushes
+    double mobility;                ///< 1 / number of members
+    Mat3<double> angular_mobility;  ///< inverse of the moment of inertia, world axes
   };
   void addMember(const CoarseGrid<Real>& grid, const CellParticles<Real>& sorted, std::size_t k,
                  std::size_t lowest, const Vec3d& arm, const std::vector<Index>& row_of);

@@ -154,7 +154,7 @@ void CoarseGrids<Real>::chooseBoxes(std::size_t particles) {
 
 /// Takes the emptier end off the longest axis of the largest box until all fit.
 template <class Real>
-void CoarseGrids<Real>::shrink(std::size_t most_cells) {
+void CoarseGrids<Real>::shrink(std::size_t max_cells) {
   const auto volume = [](const CoarseGrid<Real>& grid) {
     return double(grid.cells.x()) * grid.cells.y() * grid.cells.z();
   };
@@ -165,7 +165,7 @@ void CoarseGrids<Real>::shrink(std::size_t most_cells) {
       total += volume(grid);
       if (volume(grid) > volume(*largest)) largest = &grid;
     }
-    if (total <= double(most_cells)) return;
+    if (total <= double(max_cells)) return;
     int axis;
     largest->cells.maxCoeff(&axis);
     const int cut = std::max(1, largest->cells[axis] / 4);

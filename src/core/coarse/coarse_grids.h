@@ -119,7 +119,7 @@ class CoarseGrids {
   Vec3<Real> fittedCell(const AlignedBox<Real>& room) const;
   void locate(const VectorField<Real>& position, const Colliders<Real>& colliders);
   void chooseBoxes(std::size_t particles);
-  void shrink(std::size_t most_cells);
+  void shrink(std::size_t max_cells);
   void numberCells();
   void countingSort();
 

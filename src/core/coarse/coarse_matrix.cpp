@@ -15,7 +15,7 @@ constexpr std::size_t stencilPlace(std::size_t a, std::size_t b) {
 }
 
 /// Nodes with less water than this lie inside ice. A node in water alone has 0.9.
-constexpr double kLeastWater = 0.02;
+constexpr double kMinWater = 0.02;
 
 struct PairTables {
   std::array<std::array<std::uint8_t, kCellNodes>, kCellNodes> place, pair;
@@ -47,10 +47,10 @@ void CoarseMatrix<Real>::assemble(const CoarseGrids<Real>& grids, const CellPass
   row_of_.assign(grids.nodeCount(), kNone);
   strides_.resize(active.size());
   // Room to grow, so that water that spreads seldom takes new memory.
-  if (most_rows_ < active.size()) {
+  if (max_rows_ < active.size()) {
     const std::size_t likely = std::min(grids.nodeCount(), grids.order().size() / 16 + 64);
-    most_rows_ = std::max(2 * active.size(), likely);
-    rows_.reserve(most_rows_ * kStencil);
+    max_rows_ = std::max(2 * active.size(), likely);
+    rows_.reserve(max_rows_ * kStencil);
   }
   rows_.assign(active.size() * kStencil, Real(0));
   for (std::size_t row = 0; row < active.size(); ++row) row_of_[active[row]] = Index(row);
@@ -131,7 +131,7 @@ void CoarseMatrix<Real>::addBodies(const IceBodies<Real>* bodies, const Particle
   bodies_.addDiagonal(diagonal_);
   for (std::size_t row = 0; row < rows(); ++row) {
     const Real water = rows_[row * kStencil + kStencil / 2];
-    if (water < static_cast<Real>(kLeastWater) * fill[row]) diagonal_[row] = 0;
+    if (water < static_cast<Real>(kMinWater) * fill[row]) diagonal_[row] = 0;
   }
 }
 

@@ -58,7 +58,7 @@ class CoarseMatrix {
 
   std::size_t rows() const { return active_.size(); }
   /// Rows for which there is memory.
-  std::size_t mostRows() const { return most_rows_; }
+  std::size_t maxRows() const { return max_rows_; }
   std::size_t bytes() const {
     return (rows_.capacity() + diagonal_.capacity()) * sizeof(Real) +
            row_of_.capacity() * sizeof(Index) + bodies_.bytes();
@@ -71,7 +71,7 @@ class CoarseMatrix {
                   const CellParticles<Real>& particles, const ObliqueHold<Real>& hold);
   bool anyActive(const CoarseGrid<Real>& grid, std::size_t lowest) const;
 
-  std::size_t most_rows_ = 0;
+  std::size_t max_rows_ = 0;
   std::vector<Index> active_;
   std::vector<std::array<std::ptrdiff_t, 2>> strides_;  ///< (active) of its grid, x and y
   std::vector<Index> row_of_;                           ///< (nodes) kNone: inactive

@@ -10,7 +10,7 @@ namespace ice_ice_baby {
 namespace {
 
 constexpr int kRounds = 4;
-constexpr int kMostIterations = 200;
+constexpr int kMaxIterations = 200;
 constexpr double kTolerance = 3e-3;  ///< of the residual, relative to b
 constexpr double kRidge = 1e-5;      ///< relative increase of the diagonal
 constexpr std::size_t kChunk = 512;  ///< of sums, whose order does not depend on threads
@@ -55,7 +55,7 @@ void OneSidedSolver<Real>::conjugateGradients(const CoarseMatrix<Real>& matrix,
   }
   target *= kTolerance * kTolerance;
   double old = dot(residual_, scaled_);
-  while (old > target && iterations_ < kMostIterations) {
+  while (old > target && iterations_ < kMaxIterations) {
     for (std::size_t k = 0; k < n; ++k) search_[active[k]] = direction_[k];
     matrix.multiply(search_, product_);
     for (std::size_t k = 0; k < n; ++k) {
@@ -81,10 +81,10 @@ template <class Real>
 void OneSidedSolver<Real>::solve(const CoarseMatrix<Real>& matrix, const std::vector<Index>& active,
                                  const std::vector<Real>& b, NodeField<Real>& mu) {
   const std::size_t n = active.size();
-  off_.reserve(matrix.mostRows());
+  off_.reserve(matrix.maxRows());
   off_.assign(n, false);
   for (auto* values : {&residual_, &scaled_, &product_, &direction_}) {
-    values->reserve(matrix.mostRows());
+    values->reserve(matrix.maxRows());
     values->resize(n);
   }
   iterations_ = 0;

@@ -17,9 +17,9 @@ struct AlignedBox {
   std::uint32_t holdsPath(const Vec3<Real>& from, const Vec3<Real>& to, Real margin) const {
     std::uint32_t inside = 1;
     for (int axis = 0; axis < 3; ++axis) {
-      const Real least = low[axis] + margin, most = high[axis] - margin;
-      inside &= std::uint32_t(from[axis] > least) & std::uint32_t(to[axis] > least) &
-                std::uint32_t(from[axis] < most) & std::uint32_t(to[axis] < most);
+      const Real min = low[axis] + margin, max = high[axis] - margin;
+      inside &= std::uint32_t(from[axis] > min) & std::uint32_t(to[axis] > min) &
+                std::uint32_t(from[axis] < max) & std::uint32_t(to[axis] < max);
     }
     return inside;
   }
@@ -27,9 +27,9 @@ struct AlignedBox {
   std::uint32_t isPassedBy(const Vec3<Real>& from, const Vec3<Real>& to, Real margin) const {
     std::uint32_t beyond = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      const Real least = low[axis] - margin, most = high[axis] + margin;
-      beyond |= (std::uint32_t(from[axis] < least) & std::uint32_t(to[axis] < least)) |
-                (std::uint32_t(from[axis] > most) & std::uint32_t(to[axis] > most));
+      const Real min = low[axis] - margin, max = high[axis] + margin;
+      beyond |= (std::uint32_t(from[axis] < min) & std::uint32_t(to[axis] < min)) |
+                (std::uint32_t(from[axis] > max) & std::uint32_t(to[axis] > max));
     }
     return beyond;
   }

@@ -58,13 +58,13 @@ Vec3<Real> contact(const MovingShape<Real>& body, const Vec3<Real>& from, const 
 template <class Real>
 template <class Push>
 Real Colliders<Real>::pushAll(Vec3<Real>& end, const Push& push) const {
-  Real most = 0;
+  Real max = 0;
   for (const Index k : push_order_) {
     const Vec3<Real> pushed = push(all_[k], end);
-    most = std::max(most, (pushed - end).squaredNorm());
+    max = std::max(max, (pushed - end).squaredNorm());
     end = pushed;
   }
-  return most;
+  return max;
 }
 
 template <class Real>

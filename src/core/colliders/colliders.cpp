@@ -87,14 +87,14 @@ void Colliders<Real>::moveTo(const std::string& name, const Posed& pose) {
 }
 
 template <class Real>
-std::vector<Jump<Real>> Colliders<Real>::jump(double most_m, double reach_m) {
+std::vector<Jump<Real>> Colliders<Real>::jump(double max_m, double reach_m) {
   std::vector<Jump<Real>> jumps;
   for (std::size_t k = 0; k < travels_.size(); ++k) {
     Travel& travel = travels_[k];
-    const Eigen::AngleAxisd turn(travel.start.rotation.transpose() * travel.target.rotation);
+    const Eigen::AngleAxisd rotation(travel.start.rotation.transpose() * travel.target.rotation);
     const double far = (travel.target.position - travel.start.position).norm() +
-                       std::abs(turn.angle()) * all_[k].shape.turningRadius(reach_m);
-    if (far <= most_m) continue;
+                       std::abs(rotation.angle()) * all_[k].shape.turningRadius(reach_m);
+    if (far <= max_m) continue;
     jumps.push_back({k, {travel.start.template cast<Real>(), travel.target.template cast<Real>()}});
     travel.start = travel.target;
   }

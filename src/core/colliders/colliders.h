@@ -66,7 +66,7 @@ class Colliders {
   /// jump to their target pose before the frame starts.
   /// @param reach_m distance from the origin up to which an infinite collider matters
   /// @return one entry per collider that jumped, with its poses before and after
-  std::vector<Jump<Real>> jump(double most_m, double reach_m);
+  std::vector<Jump<Real>> jump(double max_m, double reach_m);
   /// Ends the frame: every collider is at its target pose.
   void endFrame();
   Posed pose(const std::string& name) const;

@@ -114,8 +114,8 @@ void DensityConstraint<Real>::finishLambda(std::size_t i) {
   const Real gradients = others + own.squaredNorm() + epsilon_;
   lambda_[i] = gradients > 0 ? -relaxation_ * constraint / gradients : Real(0);  // Eq. 5
   // Water pushes and never pulls, except that the first iteration may take back the warm start.
-  const Real most = begun_ ? Real(0) : -multiplier_[i];
-  if (!resist_tension_) lambda_[i] = std::min(lambda_[i], most);
+  const Real max = begun_ ? Real(0) : -multiplier_[i];
+  if (!resist_tension_) lambda_[i] = std::min(lambda_[i], max);
 }
 
 /// Ice and steam have no pressure of their own.

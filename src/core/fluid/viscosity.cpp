@@ -20,11 +20,11 @@ template <class Real>
 void Viscosity<Real>::apply(Particles<Real>& particles, const Neighbours<Real>& neighbours,
                             double dt_s, PackedXyzw<Real>& scratch, double densest) {
   const std::size_t n = particles.size();
-  const double most = 1.0 / std::max(densest, 1.0);
-  const Real share = static_cast<Real>(std::min(1.0 - std::exp(-rate_1_s_ * dt_s), most));
+  const double max = 1.0 / std::max(densest, 1.0);
+  const Real share = static_cast<Real>(std::min(1.0 - std::exp(-rate_1_s_ * dt_s), max));
   scratch.pack(particles.predicted);
   if (phases_) {
-    packMixture(particles, share, static_cast<Real>(most));
+    packMixture(particles, share, static_cast<Real>(max));
   } else {
     velocities_.pack(particles.velocity);
   }
@@ -38,9 +38,9 @@ void Viscosity<Real>::apply(Particles<Real>& particles, const Neighbours<Real>& 
 }
 
 template <class Real>
-void Viscosity<Real>::packMixture(const Particles<Real>& particles, Real share, Real most) {
+void Viscosity<Real>::packMixture(const Particles<Real>& particles, Real share, Real max) {
   constexpr Real kSlushShare(0.5);  // all neighbours together must not overshoot
-  const Real rise = std::max(Real(0), std::min(kSlushShare, most) - share);
+  const Real rise = std::max(Real(0), std::min(kSlushShare, max) - share);
   grip_.resize(particles.size());
   parallelFor(particles.size(), [&](std::size_t i) {
     const bool rigid = phases_->ice(i) && !phases_->flows()[i];

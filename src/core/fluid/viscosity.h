@@ -30,7 +30,7 @@ class Viscosity {
   std::size_t bytes() const { return velocities_.bytes() + grip_.capacity() * sizeof(Real); }
 
  private:
-  void packMixture(const Particles<Real>& particles, Real share, Real most);
+  void packMixture(const Particles<Real>& particles, Real share, Real max);
 
   CubicSpline<Real> kernel_;
   Real volume_;

@@ -10,7 +10,7 @@ constexpr double kDeep_d = 0.4;
 
 /// A body on which a collider landed is pushed out at most this often, until its penetration is
 /// below this depth, in spacings.
-constexpr int kMostPushes = 32;
+constexpr int kMaxPushes = 32;
 constexpr double kTouch_d = 0.05;
 
 }  // namespace
@@ -28,7 +28,7 @@ bool IceContacts<Real>::deepInside(const IceBodies<Real>& bodies, const Contact&
 template <class Real>
 double IceContacts<Real>::movedSinceFound(const IceBody& body, Index b) const {
   return (body.next.centre_m - found_[b].centre_m).norm() +
-         (body.next.turn - found_[b].turn).norm() * body.radius_m;
+         (body.next.rotation_matrix - found_[b].rotation_matrix).norm() * body.radius_m;
 }
 
 /// Marks a body to be moved back, and the collider that carries it.
@@ -85,9 +85,9 @@ void IceContacts<Real>::putBack(IceBodies<Real>& bodies, Index b) {
   Placement place = body.pose;
   if (carrier_[b] != kNone) {
     const Motion<double>& motion = faces_.motion(carrier_[b]);
-    const Mat3<double> turn = motion.to.rotation * motion.from.rotation.transpose();
+    const Mat3<double> rotation = motion.to.rotation * motion.from.rotation.transpose();
     place = {motion.to.toWorld(motion.from.toLocal(body.pose.centre_m)),
-             Eigen::Quaterniond(turn) * body.pose.rotation};
+             Eigen::Quaterniond(rotation) * body.pose.rotation};
   }
   body.moveTo(place);
   body.stop();
@@ -116,7 +116,7 @@ void IceContacts<Real>::expel(IceBodies<Real>& bodies, const Colliders<Real>& co
   for (Index b = 0; b < bodies.count(); ++b) {
     IceBody& body = bodies.body(b);
     if (body.anchor != kNone) continue;
-    for (int pass = 0; pass < kMostPushes; ++pass) {
+    for (int pass = 0; pass < kMaxPushes; ++pass) {
       const Vec3d push = longestPush(bodies, b);
       if (push.norm() < kTouch_d * spacing_m_) break;
       body.moveTo({body.pose.centre_m + push, body.pose.rotation});

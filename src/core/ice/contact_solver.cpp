@@ -63,10 +63,10 @@ void IceContacts<Real>::makeRows(const IceBodies<Real>& bodies, const Contact& c
     row.axis = axis;
     row.lever_a = arm_a.cross(axis);
     row.lever_b = arm_b.cross(axis);
-    row.turn_a = rows.mass_a > 0 ? Vec3d(a.mobility_now * row.lever_a) : Vec3d::Zero();
-    row.turn_b = rows.mass_b > 0 ? Vec3d(b.mobility_now * row.lever_b) : Vec3d::Zero();
-    row.inverse_mass =
-        rows.mass_a + rows.mass_b + row.lever_a.dot(row.turn_a) + row.lever_b.dot(row.turn_b);
+    row.rotation_a = rows.mass_a > 0 ? Vec3d(a.mobility_now * row.lever_a) : Vec3d::Zero();
+    row.rotation_b = rows.mass_b > 0 ? Vec3d(b.mobility_now * row.lever_b) : Vec3d::Zero();
+    row.inverse_mass = rows.mass_a + rows.mass_b + row.lever_a.dot(row.rotation_a) +
+                       row.lever_b.dot(row.rotation_b);
     row.value_m = value;
   };
   const Vec3d first = contact.normal.unitOrthogonal();
@@ -80,20 +80,20 @@ template <class Real>
 void IceContacts<Real>::apply(const Rows& rows, const Row& row, double multiplier) {
   Move& a = moves_[rows.a];
   a.by += (rows.mass_a * multiplier) * row.axis;
-  a.turn += multiplier * row.turn_a;
+  a.rotation += multiplier * row.rotation_a;
   if (rows.b == kNone) return;
   Move& b = moves_[rows.b];
   b.by -= (rows.mass_b * multiplier) * row.axis;
-  b.turn -= multiplier * row.turn_b;
+  b.rotation -= multiplier * row.rotation_b;
 }
 
 template <class Real>
 double IceContacts<Real>::violation(const Rows& rows, const Row& row) const {
   const Move& a = moves_[rows.a];
-  double value = row.value_m + row.axis.dot(a.by) + row.lever_a.dot(a.turn);
+  double value = row.value_m + row.axis.dot(a.by) + row.lever_a.dot(a.rotation);
   if (rows.b == kNone) return value;
   const Move& b = moves_[rows.b];
-  return value - row.axis.dot(b.by) - row.lever_b.dot(b.turn);
+  return value - row.axis.dot(b.by) - row.lever_b.dot(b.rotation);
 }
 
 /// Solves one contact: the normal first, then friction within its cone.
@@ -114,11 +114,11 @@ double IceContacts<Real>::relax(const Rows& rows, Contact& contact) {
   const double before_second = contact.friction_multiplier.dot(rows.second.axis);
   double first = before_first - violation(rows, rows.first) / rows.first.inverse_mass;
   double second = before_second - violation(rows, rows.second) / rows.second.inverse_mass;
-  const double most = contact.friction * pressing;
+  const double max = contact.friction * pressing;
   const double size = std::hypot(first, second);
-  if (size > most) {
-    first *= most / size;
-    second *= most / size;
+  if (size > max) {
+    first *= max / size;
+    second *= max / size;
   }
   apply(rows, rows.first, first - before_first);
   apply(rows, rows.second, second - before_second);
@@ -141,9 +141,9 @@ void IceContacts<Real>::levelMomenta(IceBodies<Real>& bodies) {
     const Vec3d given = contact.normal_multiplier * contact.normal + contact.friction_multiplier -
                         rows_[walls_.size() + k].given;
     const Vec3d passed = (a.next.centre_m - a.pose.centre_m) - (b.next.centre_m - b.pose.centre_m);
-    const Vec3d turn = contact.met * passed.cross(given) / (2 * bodies.dt_s());
-    a.angular_momentum += turn;
-    b.angular_momentum += turn;
+    const Vec3d angular_impulse = contact.met * passed.cross(given) / (2 * bodies.dt_s());
+    a.angular_momentum += angular_impulse;
+    b.angular_momentum += angular_impulse;
   }
 }
 
@@ -154,7 +154,7 @@ void IceContacts<Real>::beginMoves(const IceBodies<Real>& bodies) {
   const auto touch = [&](Index b) {
     if (b == kNone || moves_[b].touched) return;
     const IceBody& body = bodies.body(b);
-    moves_[b].back = body.pose.turn * body.next.turn.transpose();
+    moves_[b].back = body.pose.rotation_matrix * body.next.rotation_matrix.transpose();
     moves_[b].touched = true;
   };
   for (std::size_t k = 0; k < count(); ++k) {
@@ -234,7 +234,7 @@ void IceContacts<Real>::solve(IceBodies<Real>& bodies, VectorField<Real>& predic
   for (Index b = 0; b < bodies.count(); ++b) {
     IceBody& body = bodies.body(b);
     if (!moves_[b].touched || body.held()) continue;
-    body.push(moves_[b].by, moves_[b].turn, bodies.dt_s());
+    body.push(moves_[b].by, moves_[b].rotation, bodies.dt_s());
   }
   bodies.writePredicted(predicted, false);
 }

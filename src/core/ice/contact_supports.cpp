@@ -16,7 +16,7 @@ constexpr std::size_t kFew = 12;
 constexpr double kParallel = 1 - 1e-6;
 
 /// Maximum number of faces per body. On a round collider every contact has its own normal.
-constexpr int kMostFaces = 16;
+constexpr int kMaxFaces = 16;
 
 /// Tilts of the body at which the first member to touch is kept; with no tilt, the farthest member.
 constexpr std::array<double, 3> kTilts{0.003, 0.03, 1e6};
@@ -34,7 +34,7 @@ void IceContacts<Real>::keepSupports(const IceBodies<Real>& bodies,
   for (std::size_t first = 0, last = 0; first < contacts.size(); first = last) {
     while (last < contacts.size() && contacts[last].a == contacts[first].a) ++last;
     stays_.assign(last - first, last - first > kFew ? kOpen : kStays);
-    for (int face = 0; face < kMostFaces && last - first > kFew; ++face) {
+    for (int face = 0; face < kMaxFaces && last - first > kFew; ++face) {
       if (!keepFace(bodies, contacts, first, last)) break;
     }
     for (std::size_t k = first; k < last; ++k) {
@@ -71,27 +71,27 @@ bool IceContacts<Real>::keepFace(const IceBodies<Real>& bodies,
   const Vec3d along = one.normal.unitOrthogonal(), across = one.normal.cross(along);
   plane_.clear();
   for (const std::size_t k : face_) {
-    const Vec3d arm = body.next.turn * bodies.offset(contacts[k].member_a);
+    const Vec3d arm = body.next.rotation_matrix * bodies.offset(contacts[k].member_a);
     plane_.push_back({along.dot(arm), across.dot(arm), contacts[k].gap_m});
   }
-  const auto keepFurthest = [&](const Vec3d& direction) {
+  const auto keepFarthest = [&](const Vec3d& direction) {
     std::size_t best = 0;
-    double most = -std::numeric_limits<double>::infinity();
+    double max = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < plane_.size(); ++k) {
       const double score = direction.dot(plane_[k]);
-      if (score > most) {
-        most = score;
+      if (score > max) {
+        max = score;
         best = k;
       }
     }
     stays_[face_[best] - first] = kStays;
   };
-  keepFurthest({0, 0, -1});
+  keepFarthest({0, 0, -1});
   for (const double tilt : kTilts) {
     for (int k = 0; k < kDirections; ++k) {
       // Directions off the lattice axes, along which many members would tie.
       const double angle = 2 * M_PI * (k + 0.3) / kDirections;
-      keepFurthest({tilt * std::cos(angle), tilt * std::sin(angle), -1});
+      keepFarthest({tilt * std::cos(angle), tilt * std::sin(angle), -1});
     }
   }
   return true;

@@ -19,7 +19,7 @@ constexpr double kTogether_d = 0.1;
 /// Upper bound of the distance that any member moves in the substep, m.
 double travel(const IceBody& body) {
   return (body.next.centre_m - body.pose.centre_m).norm() +
-         (body.next.turn - body.pose.turn).norm() * body.radius_m;
+         (body.next.rotation_matrix - body.pose.rotation_matrix).norm() * body.radius_m;
 }
 
 /// Fraction of a straight path at which it comes within `reach_m` of the origin; 2 if it never does
@@ -172,10 +172,11 @@ void IceContacts<Real>::boundEnergy(const IceBodies<Real>& bodies) {
     const IceBody& body = bodies.body(b);
     if (!moves_[b].touched || body.held()) continue;
     const Move& move = moves_[b];
-    const Vec3d spun = body.next.turn * (body.inertia * (body.next.turn.transpose() * move.turn));
-    linear[body.island] +=
-        bodies.dt_s() * (body.mass_kg * body.velocity_m_s.dot(move.by) + body.spin().dot(spun));
-    square[body.island] += body.mass_kg * move.by.squaredNorm() + move.turn.dot(spun);
+    const Vec3d spun = body.next.rotation_matrix *
+                       (body.inertia * (body.next.rotation_matrix.transpose() * move.rotation));
+    linear[body.island] += bodies.dt_s() * (body.mass_kg * body.velocity_m_s.dot(move.by) +
+                                            body.angularVelocity().dot(spun));
+    square[body.island] += body.mass_kg * move.by.squaredNorm() + move.rotation.dot(spun);
   }
   const auto share = [&](Index island) {
     if (!bound[island] || linear[island] + square[island] / 2 <= 0) return 1.0;
@@ -183,7 +184,7 @@ void IceContacts<Real>::boundEnergy(const IceBodies<Real>& bodies) {
   };
   for (Index b = 0; b < bodies.count(); ++b) {
     moves_[b].by *= share(bodies.body(b).island);
-    moves_[b].turn *= share(bodies.body(b).island);
+    moves_[b].rotation *= share(bodies.body(b).island);
   }
   for (std::size_t k = 0; k < count(); ++k) {
     Contact& contact = contactAt(k);

@@ -11,7 +11,7 @@ namespace ice_ice_baby {
 namespace {
 
 /// Largest rotation per substep, beyond which straight paths of members are meaningless.
-constexpr double kMaxTurn_rad = 1.0;
+constexpr double kMaxRotation_rad = 1.0;
 
 /// How long a body must have been slow before it sleeps.
 constexpr double kStill_s = 0.5;
@@ -58,9 +58,9 @@ void IceBodies<Real>::forEachChunk(const Visit& visit) const {
 /// are not finite is stopped.
 template <class Real>
 void IceBodies<Real>::limit(IceBody& body) {
-  const Vec3d spin = body.spinAt(body.pose.turn);
-  const double fastest = body.velocity_m_s.norm() + spin.norm() * body.radius_m;
-  const double turn = spin.norm() * dt_s_;
+  const Vec3d angular_velocity = body.angularVelocityAt(body.pose.rotation_matrix);
+  const double fastest = body.velocity_m_s.norm() + angular_velocity.norm() * body.radius_m;
+  const double angle = angular_velocity.norm() * dt_s_;
   bool limited = !std::isfinite(fastest);
   if (limited) body.stop();
   if (fastest > max_speed_m_s_) {
@@ -68,8 +68,8 @@ void IceBodies<Real>::limit(IceBody& body) {
     body.angular_momentum *= max_speed_m_s_ / fastest;
     limited = true;
   }
-  if (turn > kMaxTurn_rad) {
-    body.angular_momentum *= kMaxTurn_rad / turn;
+  if (angle > kMaxRotation_rad) {
+    body.angular_momentum *= kMaxRotation_rad / angle;
     // A single particle's rotation has no visible effect, so it is not counted.
     limited = limited || body.count() > 1;
   }
@@ -88,9 +88,11 @@ template <class Real>
 void IceBodies<Real>::follow(IceBody& body, const Colliders<Real>& colliders) const {
   body.moveTo(held(body, colliders));
   body.velocity_m_s = (body.next.centre_m - body.pose.centre_m) / dt_s_;
-  const Eigen::AngleAxisd turn(body.next.rotation * body.pose.rotation.conjugate());
-  const Vec3d spin = turn.axis() * (turn.angle() / dt_s_);
-  body.angular_momentum = body.next.turn * (body.inertia * (body.next.turn.transpose() * spin));
+  const Eigen::AngleAxisd rotation(body.next.rotation * body.pose.rotation.conjugate());
+  const Vec3d angular_velocity = rotation.axis() * (rotation.angle() / dt_s_);
+  body.angular_momentum =
+      body.next.rotation_matrix *
+      (body.inertia * (body.next.rotation_matrix.transpose() * angular_velocity));
 }
 
 template <class Real>
@@ -138,10 +140,10 @@ void IceBodies<Real>::sumMoments(const Difference& difference) {
     const IceBody& body = bodies_[chunk.body];
     Moment moment{Vec3d::Zero(), Vec3d::Zero()};
     for (Index m = chunk.first; m < chunk.last; ++m) {
-      const Vec3d arm = body.next.turn * offset_[m];
+      const Vec3d arm = body.next.rotation_matrix * offset_[m];
       const Vec3d by = difference(body, m, arm);
       moment.sum += by;
-      moment.turn += arm.cross(by);
+      moment.torque += arm.cross(by);
     }
     moments_[c] = moment;
   });
@@ -159,10 +161,10 @@ void IceBodies<Real>::conform(VectorField<Real>& predicted) {
     Moment moment = moments_[c];
     for (++c; c < chunks_.size() && chunks_[c].first < body.last; ++c) {
       moment.sum += moments_[c].sum;
-      moment.turn += moments_[c].turn;
+      moment.torque += moments_[c].torque;
     }
-    if (body.held() || (moment.sum.isZero(0) && moment.turn.isZero(0))) continue;
-    body.push(moment.sum / double(body.count()), body.mobility_now * (particle_kg_ * moment.turn),
+    if (body.held() || (moment.sum.isZero(0) && moment.torque.isZero(0))) continue;
+    body.push(moment.sum / double(body.count()), body.mobility_now * (particle_kg_ * moment.torque),
               dt_s_);
   }
   writePredicted(predicted);
@@ -178,38 +180,40 @@ void IceBodies<Real>::finish(Particles<Real>& particles) {
   });
   forEachChunk([&](Index, const Chunk& chunk) {
     const IceBody& body = bodies_[chunk.body];
-    const Vec3d spin = body.spin();
+    const Vec3d angular_velocity = body.angularVelocity();
     for (Index m = chunk.first; m < chunk.last; ++m) {
-      const Vec3d arm = body.next.turn * offset_[m];
+      const Vec3d arm = body.next.rotation_matrix * offset_[m];
       const Vec3<Real> x = (body.next.centre_m + arm).template cast<Real>();
       particles.predicted.set(place_[m], x);
       particles.position.set(place_[m], x);
-      particles.velocity.set(place_[m],
-                             (body.velocity_m_s + spin.cross(arm)).template cast<Real>());
+      particles.velocity.set(
+          place_[m], (body.velocity_m_s + angular_velocity.cross(arm)).template cast<Real>());
     }
   });
 }
 
 template <class Real>
 void IceBodies<Real>::takeVelocities(Particles<Real>& particles) {
-  const auto rigid = [](const IceBody& body, const Vec3d& spin, const Vec3d& arm) {
-    return (body.velocity_m_s + spin.cross(arm)).template cast<Real>().eval();
+  const auto rigid = [](const IceBody& body, const Vec3d& angular_velocity, const Vec3d& arm) {
+    return (body.velocity_m_s + angular_velocity.cross(arm)).template cast<Real>().eval();
   };
   sumMoments([&](const IceBody& body, Index m, const Vec3d& arm) {
-    const Vec3<Real> change = particles.velocity.at(place_[m]) - rigid(body, body.spin(), arm);
+    const Vec3<Real> change =
+        particles.velocity.at(place_[m]) - rigid(body, body.angularVelocity(), arm);
     return change.template cast<double>().eval();
   });
   for (std::size_t c = 0; c < chunks_.size(); ++c) {
     IceBody& body = bodies_[chunks_[c].body];
     if (body.held()) continue;
     body.velocity_m_s += moments_[c].sum / double(body.count());
-    body.angular_momentum += particle_kg_ * moments_[c].turn;
+    body.angular_momentum += particle_kg_ * moments_[c].torque;
   }
   forEachChunk([&](Index, const Chunk& chunk) {
     const IceBody& body = bodies_[chunk.body];
-    const Vec3d spin = body.spin();
+    const Vec3d angular_velocity = body.angularVelocity();
     for (Index m = chunk.first; m < chunk.last; ++m) {
-      particles.velocity.set(place_[m], rigid(body, spin, body.next.turn * offset_[m]));
+      particles.velocity.set(place_[m],
+                             rigid(body, angular_velocity, body.next.rotation_matrix * offset_[m]));
     }
   });
 }
@@ -221,16 +225,16 @@ void IceBodies<Real>::carry(const std::vector<Jump<Real>>& jumps,
     for (const Jump<Real>& jump : jumps) {
       const Placement from = placementOf(jump.motion.from.template cast<double>());
       const Placement to = placementOf(jump.motion.to.template cast<double>());
-      const Vec3d local = from.turn.transpose() * (body.pose.centre_m - from.centre_m);
+      const Vec3d local = from.rotation_matrix.transpose() * (body.pose.centre_m - from.centre_m);
       const bool within =
           body.anchor == kNone && colliders[jump.number].shape.holds(local.cast<Real>());
       if (!within && body.anchor != jump.number) continue;
-      const Eigen::Quaterniond turn = to.rotation * from.rotation.conjugate();
-      body.moveTo(within ? Placement(to.at(local), turn * body.pose.rotation)
+      const Eigen::Quaterniond rotation = to.rotation * from.rotation.conjugate();
+      body.moveTo(within ? Placement(to.at(local), rotation * body.pose.rotation)
                          : held(body, colliders));
       body.pose = body.next;
-      body.velocity_m_s = turn * body.velocity_m_s;
-      body.angular_momentum = turn * body.angular_momentum;
+      body.velocity_m_s = rotation * body.velocity_m_s;
+      body.angular_momentum = rotation * body.angular_momentum;
       break;
     }
   }

@@ -136,7 +136,7 @@ class IceBodies {
   /// Sums over a chunk: of a quantity q, and of arm x q.
   struct Moment {
     Vec3d sum;
-    Vec3d turn;
+    Vec3d torque;
   };
 
   /// A group of awake bodies in contact with each other.

@@ -15,24 +15,26 @@ Eigen::Quaterniond rotationBy(const Vec3d& angle_rad) {
 
 void IceBody::moveTo(const Placement& placement) {
   next = placement;
-  mobility_now = next.turn * mobility * next.turn.transpose();
+  mobility_now = next.rotation_matrix * mobility * next.rotation_matrix.transpose();
 }
 
-void IceBody::push(const Vec3d& by_m, const Vec3d& turn_rad, double dt_s) {
+void IceBody::push(const Vec3d& by_m, const Vec3d& rotation_rad, double dt_s) {
   velocity_m_s += by_m / dt_s;
-  angular_momentum += next.turn * (inertia * (next.turn.transpose() * turn_rad)) / dt_s;
-  moveTo({next.centre_m + by_m, rotationBy(turn_rad) * next.rotation});
+  angular_momentum +=
+      next.rotation_matrix * (inertia * (next.rotation_matrix.transpose() * rotation_rad)) / dt_s;
+  moveTo({next.centre_m + by_m, rotationBy(rotation_rad) * next.rotation});
 }
 
 Placement IceBody::flight(double dt_s) const {
   // Each pass of the implicit rule reduces its error by a factor of the rotation angle.
   constexpr int kPasses = 3;
-  Vec3d mean_spin = spinAt(pose.turn);
+  Vec3d mean_angular_velocity = angularVelocityAt(pose.rotation_matrix);
   for (int pass = 0; pass < kPasses; ++pass) {
-    const Eigen::Quaterniond half = rotationBy(mean_spin * (dt_s / 2)) * pose.rotation;
-    mean_spin = spinAt(half.toRotationMatrix());
+    const Eigen::Quaterniond half = rotationBy(mean_angular_velocity * (dt_s / 2)) * pose.rotation;
+    mean_angular_velocity = angularVelocityAt(half.toRotationMatrix());
   }
-  return {pose.centre_m + dt_s * velocity_m_s, rotationBy(dt_s * mean_spin) * pose.rotation};
+  return {pose.centre_m + dt_s * velocity_m_s,
+          rotationBy(dt_s * mean_angular_velocity) * pose.rotation};
 }
 
 void IceBody::stop() {

@@ -8,21 +8,23 @@ namespace ice_ice_baby {
 /// Rotation by |angle| about its direction: the exponential map.
 Eigen::Quaterniond rotationBy(const Vec3d& angle_rad);
 
-/// Where a body is. `turn` is the matrix of `rotation`.
+/// Where a body is. `rotation_matrix` is the matrix of `rotation`.
 struct Placement {
   Vec3d centre_m = Vec3d::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-  Mat3<double> turn = Mat3<double>::Identity();
+  Mat3<double> rotation_matrix = Mat3<double>::Identity();
 
   Placement() = default;
   Placement(const Vec3d& centre, const Eigen::Quaterniond& rotated)
-      : centre_m(centre), rotation(rotated.normalized()), turn(rotation.toRotationMatrix()) {}
+      : centre_m(centre),
+        rotation(rotated.normalized()),
+        rotation_matrix(rotation.toRotationMatrix()) {}
 
-  Vec3d at(const Vec3d& offset_m) const { return centre_m + turn * offset_m; }
-  bool allFinite() const { return centre_m.allFinite() && turn.allFinite(); }
+  Vec3d at(const Vec3d& offset_m) const { return centre_m + rotation_matrix * offset_m; }
+  bool allFinite() const { return centre_m.allFinite() && rotation_matrix.allFinite(); }
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive) {
-    archive(self.centre_m, self.rotation, self.turn);
+    archive(self.centre_m, self.rotation, self.rotation_matrix);
   }
 };
 
@@ -54,17 +56,17 @@ struct IceBody {
   bool held() const { return asleep || anchor != kNone; }
 
   /// Angular velocity for the angular momentum at a given rotation, rad/s.
-  Vec3d spinAt(const Mat3<double>& turn) const {
-    return turn * (mobility * (turn.transpose() * angular_momentum));
+  Vec3d angularVelocityAt(const Mat3<double>& rotation_matrix) const {
+    return rotation_matrix * (mobility * (rotation_matrix.transpose() * angular_momentum));
   }
-  Vec3d spin() const { return spinAt(next.turn); }
+  Vec3d angularVelocity() const { return angularVelocityAt(next.rotation_matrix); }
   /// Upper bound of the speed of any member, m/s.
-  double fastest_m_s() const { return velocity_m_s.norm() + spin().norm() * radius_m; }
+  double fastest_m_s() const { return velocity_m_s.norm() + angularVelocity().norm() * radius_m; }
 
   void moveTo(const Placement& placement);
-  /// Moves `next` by a displacement and a small turn about the centre and counts the impulse that
-  /// they stand for into the momenta, as water does: v += (x* - flight) / dt.
-  void push(const Vec3d& by_m, const Vec3d& turn_rad, double dt_s);
+  /// Moves `next` by a displacement and a small rotation about the centre and counts the impulse
+  /// that they stand for into the momenta, as water does: v += (x* - flight) / dt.
+  void push(const Vec3d& by_m, const Vec3d& rotation_rad, double dt_s);
   /// Pose after free flight of `dt_s`: midpoint rule with constant angular momentum.
   Placement flight(double dt_s) const;
   void stop();

@@ -229,8 +229,9 @@ void IceContacts<Real>::addPair(const IceBodies<Real>& bodies, const Candidate& 
   const Vec3d& qb = bodies.offset(candidate.b);
   const Vec3d now = a.next.at(qa) - b.next.at(qb);
   const Vec3d before = a.pose.at(qa) - b.pose.at(qb);
-  const Vec3d normal = normalBetween(a.next.turn * bodies.outward(candidate.a),
-                                     b.next.turn * bodies.outward(candidate.b), now, before);
+  const Vec3d normal =
+      normalBetween(a.next.rotation_matrix * bodies.outward(candidate.a),
+                    b.next.rotation_matrix * bodies.outward(candidate.b), now, before);
   if (normal.isZero(0)) return;
   const std::uint64_t key = (std::uint64_t(candidate.a) << 32) | candidate.b;
   pairs_.push_back({key, ka, kb, candidate.a, candidate.b, kNone, normal, Vec3d::Zero(),

@@ -80,10 +80,10 @@ class IceContacts {
   /// A constraint along one axis of a contact, linear in the moves of its bodies.
   struct Row {
     Vec3d axis;
-    Vec3d lever_a, lever_b;  ///< arm x axis
-    Vec3d turn_a, turn_b;    ///< turn of a unit multiplier
-    double inverse_mass;     ///< generalised, 1/kg
-    double value_m;          ///< at no move
+    Vec3d lever_a, lever_b;        ///< arm x axis
+    Vec3d rotation_a, rotation_b;  ///< rotation of a unit multiplier
+    double inverse_mass;           ///< generalised, 1/kg
+    double value_m;                ///< at no move
   };
   struct Rows {
     Row normal, first, second;
@@ -94,7 +94,7 @@ class IceContacts {
   /// Displacement and rotation of a body since the rows were set up.
   struct Move {
     Vec3d by = Vec3d::Zero();
-    Vec3d turn = Vec3d::Zero();
+    Vec3d rotation = Vec3d::Zero();
     Mat3<double> back = Mat3<double>::Identity();  ///< rotation from `next` to `pose`
     bool touched = false;
   };

@@ -112,7 +112,7 @@ void IceBodies<Real>::makeBody(const Particles<Real>& particles, Index first, In
   };
   const auto velocity = [&](Index m, const IceBody* old) -> Vec3d {
     if (!old) return particles.velocity.at(place_[m]).template cast<double>();
-    return old->velocity_m_s + old->spin().cross(offset_[m] - old->pose.centre_m);
+    return old->velocity_m_s + old->angularVelocity().cross(offset_[m] - old->pose.centre_m);
   };
   Vec3d centre = Vec3d::Zero(), speed = Vec3d::Zero();
   for (Index m = first; m < last; ++m) {
@@ -131,7 +131,7 @@ void IceBodies<Real>::makeBody(const Particles<Real>& particles, Index first, In
     body.angular_momentum += particle_kg_ * arm.cross(velocity(m, old) - body.velocity_m_s);
     if (old) {
       const Index company = old->last - old->first;
-      body.angular_momentum += ownInertia(company) * old->spin();
+      body.angular_momentum += ownInertia(company) * old->angularVelocity();
     }
     body.inertia +=
         particle_kg_ * (arm.squaredNorm() * Mat3<double>::Identity() - arm * arm.transpose());

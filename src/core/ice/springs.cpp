@@ -185,9 +185,9 @@ void Springs<Real>::correctElastic(VectorField<Real>& predicted, double complian
 
 template <class Real>
 void Springs<Real>::breakStretched(const VectorField<Real>& position, double strain) {
-  const Real most = static_cast<Real>(1.0 + strain);
+  const Real max = static_cast<Real>(1.0 + strain);
   breakFrom(sheet_count_, [&](const Spring<Real>& s) {
-    return (position.at(s.b) - position.at(s.a)).norm() > most * s.rest_m;
+    return (position.at(s.b) - position.at(s.a)).norm() > max * s.rest_m;
   });
 }
 

@@ -8,7 +8,7 @@ namespace ice_ice_baby {
 
 void requireMemory(const Scene& scene, double memory_bytes) {
   const double particles = double(particleCount(scene));
-  const double needed_bytes = particles * kLeastParticle_bytes;
+  const double needed_bytes = particles * kMinParticle_bytes;
   if (needed_bytes <= memory_bytes) return;
   throw InvalidInput("the blocks hold " + numberText(particles) +
                      " particles, which take at least " +

@@ -8,7 +8,7 @@ namespace ice_ice_baby {
 
 /// Lower bound of the memory per particle, neighbour lists included. The smallest scenes use
 /// slightly more.
-constexpr double kLeastParticle_bytes = 200.0;
+constexpr double kMinParticle_bytes = 200.0;
 
 /// @throws InvalidInput for a scene whose particles take more than `memory_bytes`
 void requireMemory(const Scene& scene, double memory_bytes);

@@ -41,9 +41,9 @@ Neighbours<Real>::Neighbours(Real support_m, Real skin_m)
 }
 
 template <class Real>
-void Neighbours<Real>::limitLists(double most_bytes) {
-  most_bytes_ = most_bytes;
-  pages_.limit(most_bytes);
+void Neighbours<Real>::limitLists(double max_bytes) {
+  max_bytes_ = max_bytes;
+  pages_.limit(max_bytes);
 }
 
 template <class Real>
@@ -217,7 +217,7 @@ void Neighbours<Real>::build(const VectorField<Real>& predicted) {
     const std::string crowd = numberText(double(fullestCell()));
     forgetLists();
     throw InvalidInput("the lists of neighbours take more than " +
-                       numberText(std::floor(most_bytes_ / 1e6)) + " MB of memory: " + crowd +
+                       numberText(std::floor(max_bytes_ / 1e6)) + " MB of memory: " + crowd +
                        " particles lie in one cube of " + lengthText(double(reach_)) +
                        " m; give the water more room or enlarge fluid.spacing_m");
   }
@@ -250,7 +250,7 @@ void Neighbours<Real>::forgetLists() {
   count_.clear();
   candidates_.clear();
   pages_ = ListPages();
-  pages_.limit(most_bytes_);
+  pages_.limit(max_bytes_);
 }
 
 template <class Real>

@@ -30,7 +30,7 @@ class Neighbours {
 
   /// Limits the memory of all lists; half of the machine's memory by default. n particles at one
   /// point have n^2 neighbours, and Linux would kill the program rather than refuse the memory.
-  void limitLists(double most_bytes);
+  void limitLists(double max_bytes);
 
   /// Whether some predicted position has moved more than skin / 2 since the lists were built,
   /// apart from a displacement common to all (water in free fall keeps its lists).
@@ -107,7 +107,7 @@ class Neighbours {
   std::vector<Index> place_;    ///< (n) place of a list in the pages; scratch of the sort
   std::vector<Index> count_;    ///< (n) length of a list; scratch of the sort
   ListPages pages_;
-  double most_bytes_;                         ///< of the lists
+  double max_bytes_;                          ///< of the lists
   std::vector<Candidates<Real>> candidates_;  ///< one for each thread that builds
   bool coincident_ = false;
   std::size_t builds_ = 0;

@@ -10,12 +10,12 @@ namespace ice_ice_baby {
 
 template <class Real>
 std::vector<Jump<Real>> jumpFastColliders(Colliders<Real>& colliders,
-                                          const Particles<Real>& particles, double most_m) {
+                                          const Particles<Real>& particles, double max_m) {
   double far2 = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     far2 = std::max(far2, double(particles.position.at(i).squaredNorm()));
   }
-  return colliders.jump(most_m, std::sqrt(far2));
+  return colliders.jump(max_m, std::sqrt(far2));
 }
 
 template <class Real>
@@ -41,17 +41,17 @@ std::size_t carry(const std::vector<Jump<Real>>& jumps, const Colliders<Real>& c
 template <class Real>
 double expel(const Colliders<Real>& colliders, const IceBodies<Real>* bodies,
              Particles<Real>& particles) {
-  double furthest = 0.0;
+  double farthest = 0.0;
   const Paths<Real> paths{particles.position, particles.position};
   forEachNear(colliders, paths, Real(0), 0, particles.size(), [&](std::size_t i) {
     if (bodies && bodies->memberAt(Index(i)) != kNone) return;
     const Vec3<Real> from = particles.position.at(i);
     const Vec3<Real> end = colliders.respond(from, from, false);
-    furthest = std::max(furthest, double((end - from).norm()));
+    farthest = std::max(farthest, double((end - from).norm()));
     particles.position.set(i, end);
     particles.predicted.set(i, end);
   });
-  return furthest;
+  return farthest;
 }
 
 template std::vector<Jump<float>> jumpFastColliders(Colliders<float>&, const Particles<float>&,

@@ -15,7 +15,7 @@ namespace ice_ice_baby {
 /// @return the colliders that jumped
 template <class Real>
 std::vector<Jump<Real>> jumpFastColliders(Colliders<Real>& colliders,
-                                          const Particles<Real>& particles, double most_m);
+                                          const Particles<Real>& particles, double max_m);
 
 /// Moves the contents of containers that jumped along with them and rotates their velocities.
 /// @param bodies ice bodies, whose members are skipped; or null

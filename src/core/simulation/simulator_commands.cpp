@@ -54,8 +54,8 @@ void Simulator<Real>::moveCollider(const std::string& name, const Posed& pose) {
                    kCoordinateRange_m.max);
   }
   // A reflection is unitary too, but its determinant is -1.
-  const auto& turn = pose.rotation;
-  if (!turn.allFinite() || !turn.isUnitary(1e-6) || turn.determinant() < 0.0) {
+  const auto& rotation = pose.rotation;
+  if (!rotation.allFinite() || !rotation.isUnitary(1e-6) || rotation.determinant() < 0.0) {
     throw InvalidInput("rotation of collider " + name + " must be a unit quaternion");
   }
   const bool there = still(now.position, pose.position) && now.rotation == pose.rotation;

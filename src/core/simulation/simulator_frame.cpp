@@ -10,18 +10,18 @@ namespace ice_ice_baby {
 namespace {
 
 /// Bound of the number of substeps that an error takes.
-constexpr int kMostSubsteps = 64;
+constexpr int kMaxSubsteps = 64;
 /// Share of the promised error of a quality from which on it is followed, in the mean over the run
 /// or, before that is over, over the first second.
 constexpr double kWatched = 0.5;
 /// In a substep water moves at most this far, in spacings: twice its root mean square speed.
-constexpr double kMostStep_d = 1.0;
+constexpr double kMaxStep_d = 1.0;
 /// In a substep gravity moves water at most this far, in spacings.
-constexpr double kMostFall_d = 0.1;
+constexpr double kMaxFall_d = 0.1;
 
 /// Compressed water is relaxed with at most this many corrections, or until the largest density is
 /// within this fraction of rest density.
-constexpr int kMostCorrections = 100;
+constexpr int kMaxCorrections = 100;
 constexpr double kDense = 0.05;
 
 /// Displacements below this, in spacings, need no relaxation.
@@ -80,8 +80,8 @@ void Simulator<Real>::followTargetError() {
   if (target == 0.0 || report_.asleep || springsCorrect()) return;
   const double d_m = scene_.fluid.spacing_m, rate_1_s = scene_.solver.frame_rate_hz;
   const double for_error = substeps_ * std::sqrt(report_.density_error_mean / target);
-  const double for_speed = 2.0 * report_.rms_speed_m_s / (rate_1_s * kMostStep_d * d_m);
-  const double for_fall = std::sqrt(scene_.gravity_m_s2.norm() / (kMostFall_d * d_m)) / rate_1_s;
+  const double for_speed = 2.0 * report_.rms_speed_m_s / (rate_1_s * kMaxStep_d * d_m);
+  const double for_fall = std::sqrt(scene_.gravity_m_s2.norm() / (kMaxFall_d * d_m)) / rate_1_s;
   const bool own_target = fewest_substeps_ == kFewestSubsteps;
   const double frames = double(report_.frame);
   const double run_error = report_.density_error_run * frames / std::max(frames, rate_1_s);
@@ -90,8 +90,8 @@ void Simulator<Real>::followTargetError() {
                                   : needed   ? for_error
                                              : 0.0);
   const double fewest = std::max(fewest_substeps_, substeps_ - 1);
-  const double most = std::min(kMostSubsteps, 2 * substeps_);
-  const int next = static_cast<int>(std::clamp(wanted, std::min(fewest, most), most));
+  const double max = std::min(kMaxSubsteps, 2 * substeps_);
+  const int next = static_cast<int>(std::clamp(wanted, std::min(fewest, max), max));
   if (next == substeps_) return;
   fluid_->rescale(double(substeps_) / next);
   substeps_ = next;
@@ -99,8 +99,8 @@ void Simulator<Real>::followTargetError() {
 
 template <class Real>
 void Simulator<Real>::jumpColliders() {
-  const double most_m = scene_.solver.max_speed_m_s / scene_.solver.frame_rate_hz;
-  const std::vector<Jump<Real>> jumps = jumpFastColliders(colliders_, particles_, most_m);
+  const double max_m = scene_.solver.max_speed_m_s / scene_.solver.frame_rate_hz;
+  const std::vector<Jump<Real>> jumps = jumpFastColliders(colliders_, particles_, max_m);
   if (jumps.empty()) return;
   report_.speed_limited += carry(jumps, colliders_, bodies(), particles_);
   if (phase_change_) phase_change_->jump(jumps, particles_);
@@ -110,14 +110,14 @@ void Simulator<Real>::jumpColliders() {
 
 template <class Real>
 void Simulator<Real>::expelWater() {
-  const double furthest_m = expel(colliders_, bodies(), particles_);
-  if (furthest_m > kPressed_d * scene_.fluid.spacing_m) makeRoom();
+  const double farthest_m = expel(colliders_, bodies(), particles_);
+  if (farthest_m > kPressed_d * scene_.fluid.spacing_m) makeRoom();
 }
 
 /// Corrects density as in the iterations of a substep, but without changing velocities.
 template <class Real>
 void Simulator<Real>::makeRoom() {
-  for (int k = 0; k < kMostCorrections; ++k) {
+  for (int k = 0; k < kMaxCorrections; ++k) {
     findNeighbours();
     fluid_->updateDensity(particles_, neighbours_);
     if (static_cast<Real>(fluid_->maxDensity()) < Real(1 + kDense)) break;

@@ -93,7 +93,7 @@ void ThermalSolver<Real>::advance(const Particles<Real>& particles,
   measure(particles, neighbours, step);
   longest_pass_s_ = findLongestPass_s();
   const double wanted = std::ceil(heat_s / longest_pass_s_);
-  passes_ = static_cast<int>(std::clamp(wanted, 1.0, double(kMostPasses)));
+  passes_ = static_cast<int>(std::clamp(wanted, 1.0, double(kMaxPasses)));
   const double pass_s = std::min(heat_s / passes_, longest_pass_s_);
   reached_speedup_ = passes_ * pass_s / step.dt_s;
   parallelFor(n, [&](std::size_t i) { readCurve(i); });
@@ -214,8 +214,8 @@ double ThermalSolver<Real>::gainOfSteam_j_kg(std::size_t i, double air_c, double
   const double wall_c = double(contact_[i].level);
   const double end_c = wall_c + (air_c - wall_c) * (steam_w_k_ / all_w_k);
   const double gain = pass_s / lattice_.mass_kg * all_w_k * (end_c - temperature(i));
-  const double most = curve_.enthalpy(end_c) - enthalpy_[i];
-  return gain > 0.0 ? std::min(gain, std::max(most, 0.0)) : std::max(gain, std::min(most, 0.0));
+  const double max = curve_.enthalpy(end_c) - enthalpy_[i];
+  return gain > 0.0 ? std::min(gain, std::max(max, 0.0)) : std::max(gain, std::min(max, 0.0));
 }
 
 template <class Real>

@@ -25,7 +25,7 @@ template <class Real>
 class ThermalSolver {
  public:
   /// Maximum number of steps per frame; a higher speed-up is not reached.
-  static constexpr int kMostPasses = 200;
+  static constexpr int kMaxPasses = 200;
 
   /// Without particles. @param colliders must outlive it
   ThermalSolver(const Scene& scene, const Colliders<Real>& colliders);

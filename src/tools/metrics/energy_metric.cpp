@@ -28,8 +28,8 @@ void EnergyMetric::add(const FrameView& frame) {
   const StepReport& report = frame.report();
   end_j_ = report.kinetic_energy_j + report.potential_energy_j + report.elastic_energy_j;
   if (std::isnan(start_j_)) start_j_ = end_j_;
-  least_j_ = std::min(least_j_, end_j_);
-  rise_j_ = std::max(rise_j_, end_j_ - least_j_);
+  min_j_ = std::min(min_j_, end_j_);
+  rise_j_ = std::max(rise_j_, end_j_ - min_j_);
 }
 
 void EnergyMetric::report(std::vector<ErrorMetric>& metrics) const {

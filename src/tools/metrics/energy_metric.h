@@ -29,7 +29,7 @@ class EnergyMetric final : public MetricRecorder {
   double scale_j_;
   double start_j_ = std::numeric_limits<double>::quiet_NaN();
   double end_j_ = 0.0;
-  double least_j_ = std::numeric_limits<double>::max();
+  double min_j_ = std::numeric_limits<double>::max();
   double rise_j_ = 0.0;
 };
 

@@ -105,11 +105,11 @@ TEST(CoarseLevelTest, WaterInFlightHasNone) {
   for (int frame = 0; frame < 15; ++frame) {
     EXPECT_EQ(simulation->advanceFrame().coarse_nodes, 0u) << frame;
   }
-  std::size_t most = 0;
+  std::size_t max = 0;
   for (int frame = 0; frame < 90; ++frame) {
-    most = std::max(most, simulation->advanceFrame().coarse_nodes);
+    max = std::max(max, simulation->advanceFrame().coarse_nodes);
   }
-  EXPECT_GT(most, 0u);
+  EXPECT_GT(max, 0u);
 }
 
 TEST(CoarseLevelTest, NothingAloneOrWithoutWallsHasNone) {

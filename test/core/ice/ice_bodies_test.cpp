@@ -174,7 +174,7 @@ TYPED_TEST(IceBodiesTest, SingleParticlesAndRowsAreBodiesToo) {
                                        brick({5, 1, 1}, kSpacing_m, {1, 0, 0})});
   for (const Index g : {0u, 1u}) {
     rig.launch(g, {0.1, 0, 0}, {7, 0, 0});
-    EXPECT_NEAR((rig.body(g).spin() - Vec3d(7, 0, 0)).norm(), 0, 1e-12);
+    EXPECT_NEAR((rig.body(g).angularVelocity() - Vec3d(7, 0, 0)).norm(), 0, 1e-12);
   }
   for (int k = 0; k < 100; ++k) rig.substep(1.0 / 360);
   for (const Vec3d& x : rig.byId()) EXPECT_TRUE(x.allFinite());
@@ -216,7 +216,7 @@ TYPED_TEST(IceBodiesTest, TakesTheMomentaOfChangedVelocities) {
   rig.bodies.takeVelocities(rig.particles);
   EXPECT_LT((rig.body(0).velocity_m_s - Vec3d(4, 5, 6)).norm(), 20 * TestFixture::kHair);
   // Less than all, as single particles do not spin but the body's inertia includes their own.
-  const double share = rig.body(0).spin().norm() / spin.norm();
+  const double share = rig.body(0).angularVelocity().norm() / spin.norm();
   EXPECT_GT(share, 0.85);
   EXPECT_LT(share, 1.0);
 }

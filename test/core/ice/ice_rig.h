@@ -142,7 +142,7 @@ struct IceRig {
     for (Index b = 0; b < bodies.count(); ++b) {
       const IceBody& one = bodies.body(b);
       sum += one.mass_kg * one.velocity_m_s.squaredNorm() / 2 +
-             one.angular_momentum.dot(one.spin()) / 2;
+             one.angular_momentum.dot(one.angularVelocity()) / 2;
     }
     return sum;
   }
