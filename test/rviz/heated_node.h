@@ -16,7 +16,7 @@ class HeatedNode {
  public:
   HeatedNode() {
     node_.setCallbackQueue(&queue_);
-    state_.heat = true;
+    state_.thermal = true;
     state_.targets = {"container", "plate"};
     state_.temperature = 20.0;
     state_.mean_temperature = 3.5;
