@@ -52,7 +52,7 @@ TYPED_TEST(IceBodiesTest, FreeRotationKeepsAngularMomentumAndEnergy) {
       ASSERT_NEAR(rig.energy(), energy, 1e-4 * energy);
     }
     EXPECT_LE((rig.body(0).angular_momentum - before).norm(), 1e-12 * before.norm());
-    EXPECT_GT((rig.body(0).pose.turn - Mat3<double>::Identity()).norm(), 1e-3);
+    EXPECT_GT((rig.body(0).pose.rotation_matrix - Mat3<double>::Identity()).norm(), 1e-3);
     EXPECT_EQ(rig.bodies.limited(), 0u);
   }
 }
@@ -164,7 +164,7 @@ TYPED_TEST(IceBodiesTest, ABodyThatStaysKeepsEverything) {
   EXPECT_TRUE(rig.assign());
   const IceBody& after = rig.body(1);
   EXPECT_EQ(after.pose.centre_m, before.pose.centre_m);
-  EXPECT_EQ(after.pose.turn, before.pose.turn);
+  EXPECT_EQ(after.pose.rotation_matrix, before.pose.rotation_matrix);
   EXPECT_EQ(after.angular_momentum, before.angular_momentum);
   EXPECT_EQ(rig.body(0).count(), 22u);
 }

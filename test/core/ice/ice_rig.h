@@ -73,7 +73,8 @@ struct IceRig {
               const Vec3d& angular_velocity_rad_s = Vec3d::Zero()) {
     IceBody& b = body(group);
     b.velocity_m_s = velocity_m_s;
-    b.angular_momentum = b.next.turn * b.inertia * b.next.turn.transpose() * angular_velocity_rad_s;
+    b.angular_momentum = b.next.rotation_matrix * b.inertia * b.next.rotation_matrix.transpose() *
+                         angular_velocity_rad_s;
   }
 
   void sort() {
