@@ -49,6 +49,9 @@ struct TemperatureEvent {
   }
 };
 
+/// Bounds of the substeps per frame that an error may take.
+constexpr int kMinSubsteps = 2, kMaxSubsteps = 64;
+
 struct Scene : ColliderLists {
   std::string name = "unnamed";
   std::string description;
@@ -70,6 +73,12 @@ struct Scene : ColliderLists {
   double supportRadius_m() const;
   /// Substeps per frame in force; those of the first frame if their number is adapted.
   int substeps() const;
+  /// Substeps per frame that an adapted number never falls below: 3, 4 or 10 by quality,
+  /// kMinSubsteps with a target error.
+  int fewestSubsteps() const;
+  /// Substeps per frame in which gravity moves water by at most 0.03 spacings each; at most
+  /// kMaxSubsteps.
+  int substepsForFall() const;
   /// Mean density error that the scene asks for, as a fraction; 0 with the preset of the paper.
   double promisedError() const;
   /// Whether the number of substeps follows the error.

@@ -40,6 +40,7 @@ void DisplacementProjection<Real>::project(Particles<Real>& particles,
   if (!resolved(gravity.norm() * dt * dt)) return;
   free_volume_.update(grids_, colliders_);
   gather(particles, bodies, density, gravity, dt);
+  hold(particles, gravity, dt);
   deposit();
   findActive(gravity.norm() * dt * dt / grids_.cell_m());
   mu_.reset(grids_.nodeCount(), grids_.nodePadding());
@@ -78,18 +79,9 @@ void DisplacementProjection<Real>::gather(const Particles<Real>& particles,
                                           const Vec3<Real>& gravity, Real dt) {
   const std::vector<Index>& order = grids_.order();
   const Real cell = grids_.cell_m();
-  const Real held_m = static_cast<Real>(kHeld_falls) * gravity.norm() * dt * dt;
   sorted_.resize(order.size());
-  touches_.assign(particles.size(), false);
   if (bodies) place_.assign(particles.size(), kNone);
   const VectorField<Real>& x = particles.position;
-  if (!colliders_.empty()) {
-    const Real margin = static_cast<Real>(kTouch_d) * spacing_;
-    parallelForRanges(particles.size(), [&](std::size_t first, std::size_t last) {
-      forEachNear(colliders_, Paths<Real>{x, x}, margin, first, last,
-                  [&](std::size_t i) { touches_[i] = true; });
-    });
-  }
   parallelFor(order.size(), [&](std::size_t k) {
     const Index i = order[k];
     const CoarseGrid<Real>& grid = grids_.gridOf(i);
@@ -113,29 +105,58 @@ void DisplacementProjection<Real>::gather(const Particles<Real>& particles,
       sorted_.free[a][k] = ratio * ratio;
     }
   });
-  oblique_.clear();
-  pressed_.assign(particles.size(), false);
+}
+
+/// Finds the particles that touch walls.
+template <class Real>
+void DisplacementProjection<Real>::findTouching(const VectorField<Real>& position) {
+  touches_.assign(position.size(), false);
+  pressed_.assign(position.size(), false);
+  touching_.clear();
+  if (colliders_.empty()) return;
+  const Real margin = static_cast<Real>(kTouch_d) * spacing_;
+  parallelForRanges(position.size(), [&](std::size_t first, std::size_t last) {
+    forEachNear(colliders_, Paths<Real>{position, position}, margin, first, last,
+                [&](std::size_t i) { touches_[i] = true; });
+  });
+  const std::vector<Index>& order = grids_.order();
   for (std::size_t k = 0; k < order.size(); ++k) {
     const Index i = order[k];
     if (!touches_[i]) continue;
-    if (sorted_.weight[k] == 0) {  // ice, whose contacts are its own, or steam
-      pressed_[i] = true;
-      touches_[i] = false;
-      continue;
-    }
+    const bool water = sorted_.weight[k] != 0;  // ice has contacts of its own, steam none
+    if (water) touching_.push_back(Index(k));
+    pressed_[i] = !water;
+    touches_[i] = water;
+  }
+}
+
+/// Walls hold the particles that press on them.
+template <class Real>
+void DisplacementProjection<Real>::hold(const Particles<Real>& particles, const Vec3<Real>& gravity,
+                                        Real dt) {
+  findTouching(particles.position);
+  const Real held_m = static_cast<Real>(kHeld_falls) * gravity.norm() * dt * dt;
+  const std::vector<Index>& order = grids_.order();
+  holds_.resize(touching_.size());
+  parallelFor(touching_.size(), [&](std::size_t t) {
+    const Index k = touching_[t], i = order[k];
     const CoarseRegion<Real>& region = grids_.gridOf(i).region;
     const Vec3<Real> step = region.frame.rotation.transpose() * (dt * particles.velocity.at(i));
-    Hold<Real> hold = holdAtWalls(colliders_, region.frame, spacing_, x.at(i), step, held_m);
+    const Vec3<Real> from = particles.position.at(i);
+    const Hold<Real> hold = holdAtWalls(colliders_, region.frame, spacing_, from, step, held_m);
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = std::size_t(axis);
       sorted_.step[a][k] = hold.step[axis] / region.cell_m[axis];
       sorted_.free[a][k] *= hold.free[axis];
     }
     pressed_[i] = hold.oblique.count > 0 || hold.free != Vec3<Real>::Ones();
-    if (hold.oblique.count == 0) continue;
-    hold.oblique.sorted = Index(k);
-    oblique_.push_back(hold.oblique);
-    sorted_.weight[k] = 0;
+    holds_[t] = hold.oblique;
+    holds_[t].sorted = k;
+    if (hold.oblique.count > 0) sorted_.weight[k] = 0;
+  });
+  oblique_.clear();
+  for (const ObliqueHold<Real>& hold : holds_) {
+    if (hold.count > 0) oblique_.push_back(hold);
   }
   grids_.markSupported(pressed_);
 }
@@ -246,7 +267,9 @@ template <class Real>
 std::size_t DisplacementProjection<Real>::bytes() const {
   return grids_.bytes() + free_volume_.bytes() + sorted_.bytes() + matrix_.bytes() +
          solver_.bytes() + mu_.bytes() +
-         (deposits_.capacity() + multiplier_.capacity() + 4 * value_.capacity()) * sizeof(Real) +
+         (deposits_.capacity() + share_.capacity() + multiplier_.capacity() +
+          4 * value_.capacity()) *
+             sizeof(Real) +
          guess_.capacity() * sizeof(Guess);
 }
 

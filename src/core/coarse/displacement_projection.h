@@ -63,6 +63,8 @@ class DisplacementProjection {
   };
   void gather(const Particles<Real>& particles, const IceBodies<Real>* bodies,
               const std::vector<Real>& density, const Vec3<Real>& gravity, Real dt);
+  void findTouching(const VectorField<Real>& position);
+  void hold(const Particles<Real>& particles, const Vec3<Real>& gravity, Real dt);
   bool resolved(Real fall_m) const;
   void deposit();
   void findActive(Real fall);
@@ -70,6 +72,7 @@ class DisplacementProjection {
   void loadGuess();
   void keepGuess();
   void move(Particles<Real>& particles, Real dt);
+  void findShares();
   bool atSurface(std::size_t sorted) const;
   void levelPressure(const Vec3<Real>& gravity, Real dt);
   Vec3<Real> withoutPull(Vec3<Real> push, const Vec3<Real>& flight, std::size_t k,
@@ -88,6 +91,8 @@ class DisplacementProjection {
   std::vector<Index> place_;                ///< (n) in the order of the grids, if there is ice
   std::vector<char> touches_;               ///< (n) whether a wall touches the particle
   std::vector<char> pressed_;               ///< (n) whether a wall holds the particle
+  std::vector<Index> touching_;             ///< places in the order of water at walls
+  std::vector<ObliqueHold<Real>> holds_;    ///< (touching)
   std::vector<ObliqueHold<Real>> oblique_;  ///< by place in the order
   std::vector<Real> deposits_;              ///< (nodes, kDeposits)
   std::vector<Index> active_;
@@ -101,6 +106,7 @@ class DisplacementProjection {
   std::vector<Real> multiplier_;            ///< (n)
   std::vector<Guess> guess_;
   std::vector<Real> scratch_;
+  std::vector<Real> share_;  ///< (nodes) of the room around a node that is filled
   std::vector<std::array<double, 2>> surface_;  ///< (grids) sum of pressures at the surface, count
 };
 

@@ -31,6 +31,9 @@ std::array<Real, 2> within(int cell, Real high) {
           std::clamp(high - Real(cell), Real(0), Real(1))};
 }
 
+/// The lowest node of a cell has its number.
+Eigen::Vector3i nodeOfCell(std::size_t a) { return {int(a / 9), int(a / 3 % 3), int(a % 3)}; }
+
 template <class Real>
 bool inSolid(const Colliders<Real>& colliders, const Vec3<Real>& point) {
   return std::any_of(colliders.begin(), colliders.end(), [&](const MovingShape<Real>& collider) {
@@ -40,49 +43,82 @@ bool inSolid(const Colliders<Real>& colliders, const Vec3<Real>& point) {
 
 }  // namespace
 
+/// Finds the colliders that take room from the box, or may.
 template <class Real>
-bool FreeVolume<Real>::movedSince(const Colliders<Real>& colliders) const {
+void FreeVolume<Real>::findNear(const CoarseGrid<Real>& grid, const Colliders<Real>& colliders) {
+  near_.clear();
+  const Pose<Real>& frame = grid.region.frame;
+  const Vec3<Real> half =
+      (grid.cells.template cast<Real>() / 2 + Vec3<Real>::Ones()).cwiseProduct(grid.region.cell_m);
+  const Vec3<Real> middle =
+      frame.toWorld((grid.low.template cast<Real>() + grid.cells.template cast<Real>() / 2)
+                        .cwiseProduct(grid.region.cell_m));
   for (std::size_t k = 0; k < colliders.count(); ++k) {
+    if (Index(k) == grid.region.collider) continue;
+    const auto& shape = colliders[k].shape;
     const Pose<Real>& pose = colliders[k].motion.from;
-    if (k >= poses_.size() || pose.position != poses_[k].position ||
-        pose.rotation != poses_[k].rotation) {
-      return true;
-    }
+    const Vec3<Real> local = pose.toLocal(middle);
+    const bool far = shape.clear(local, local, half.norm() + shape.particleRadius());
+    if (far && !(shape.hollow() && shape.holds(local))) continue;
+    near_.push_back(
+        {Index(k), {frame.toLocal(pose.position), frame.rotation.transpose() * pose.rotation}});
   }
-  return false;
 }
 
 template <class Real>
 void FreeVolume<Real>::update(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders) {
-  if (movedSince(colliders)) boxes_.clear();
-  poses_.clear();
-  for (const MovingShape<Real>& collider : colliders) poses_.push_back(collider.motion.from);
+  bool changed = volume_.size() != grids.nodeCount() || boxes_.size() != grids.grids().size();
   boxes_.resize(grids.grids().size());
-  volume_.resize(grids.nodeCount());
   for (std::size_t g = 0; g < boxes_.size(); ++g) {
     const CoarseGrid<Real>& grid = grids.grids()[g];
     Box& box = boxes_[g];
-    if (grid.low == box.low && grid.cells == box.cells && grid.first_node == box.first_node) {
-      continue;
-    }
-    box = {grid.low, grid.cells, grid.first_node};
-    if (!grid.empty()) compute(grids, colliders, grid);
+    findNear(grid, colliders);
+    const bool moved = near_ != box.near;
+    if (!moved && grid.low == box.low && grid.cells == box.cells) continue;
+    changed = true;
+    std::swap(box, known_);
+    if (moved) known_.cells.setZero();
+    box.low = grid.low;
+    box.cells = grid.cells;
+    box.near = near_;
+    compute(grids, colliders, grid, known_, box);
+  }
+  if (!changed) return;
+  volume_.resize(grids.nodeCount());
+  for (std::size_t g = 0; g < boxes_.size(); ++g) {
+    std::copy(boxes_[g].volume.begin(), boxes_[g].volume.end(),
+              volume_.begin() + std::ptrdiff_t(grids.grids()[g].first_node));
   }
 }
 
+/// Nodes that `known` has are copied. The order of a node's sum does not depend on the box.
 template <class Real>
 void FreeVolume<Real>::compute(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
-                               const CoarseGrid<Real>& grid) {
-  std::fill_n(volume_.begin() + std::ptrdiff_t(grid.first_node), grid.nodeCount(), Real(0));
-  // A cell of the border gives to the nodes of the box too.
+                               const CoarseGrid<Real>& grid, const Box& known, Box& box) const {
+  box.volume.assign(grid.empty() ? 0 : grid.nodeCount(), Real(0));
+  if (grid.empty()) return;
+  const Eigen::Vector3i nodes = grid.nodes();
+  parallelFor(std::size_t(nodes.x()), [&](std::size_t x) {
+    for (int y = 0; y < nodes.y(); ++y) {
+      for (int z = 0; z < nodes.z(); ++z) {
+        const Eigen::Vector3i node(int(x), y, z), at = node + box.low;
+        if (known.has(at, at))
+          box.volume[box.place(node)] = known.volume[known.place(at - known.low)];
+      }
+    }
+  });
+  // A cell of the border gives to the nodes of the box too. Every third plane has nodes of its own.
   for (int colour = 0; colour < CoarseGrids<Real>::kColours; ++colour) {
-    const int planes = (grid.cells.x() + 2 - colour + 2) / 3;
+    const int first = -1 + ((colour - (box.low.x() - 1)) % 3 + 3) % 3;
+    const int planes = std::max(0, (box.cells.x() - first + 3) / 3);
     parallelFor(
-        std::size_t(std::max(planes, 0)),
+        std::size_t(planes),
         [&](std::size_t k) {
-          const int x = colour - 1 + 3 * int(k);
-          for (int y = -1; y <= grid.cells.y(); ++y) {
-            for (int z = -1; z <= grid.cells.z(); ++z) addCell(grids, colliders, grid, {x, y, z});
+          const int x = first + 3 * int(k);
+          for (int y = -1; y <= box.cells.y(); ++y) {
+            for (int z = -1; z <= box.cells.z(); ++z) {
+              addCell(grids, colliders, grid, {x, y, z}, known, box);
+            }
           }
         },
         1);
@@ -92,8 +128,10 @@ void FreeVolume<Real>::compute(const CoarseGrids<Real>& grids, const Colliders<R
 /// @param cell relative to the box
 template <class Real>
 void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
-                               const CoarseGrid<Real>& grid, const Eigen::Vector3i& cell) {
+                               const CoarseGrid<Real>& grid, const Eigen::Vector3i& cell,
+                               const Box& known, Box& box) const {
   const Eigen::Vector3i at = grid.low + cell;
+  if (known.has(at, at + Eigen::Vector3i::Constant(2))) return;
   std::array<std::array<Real, 2>, 3> range;
   for (int axis = 0; axis < 3; ++axis) {
     // Outside of a container with flat walls there is nothing; the world goes on.
@@ -131,6 +169,13 @@ void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<R
     return std::array<Real, 2>{from + (to - from) * Real(k) / Real(parts),
                                from + (to - from) * Real(k + 1) / Real(parts)};
   };
+  // Nodes of the cell that are in the box and not yet known.
+  std::array<bool, kCellNodes> wanted;
+  for (std::size_t a = 0; a < kCellNodes; ++a) {
+    const Eigen::Vector3i node = cell + nodeOfCell(a);
+    wanted[a] = (node.array() >= 0).all() && (node.array() < grid.nodes().array()).all() &&
+                !known.has(node + grid.low, node + grid.low);
+  }
   const Real particles = Real(kCell_d * kCell_d * kCell_d) * size.prod() /
                          (grids.cell_m() * grids.cell_m() * grids.cell_m());
   for (int x = 0; x < parts; ++x) {
@@ -142,28 +187,23 @@ void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<R
               toWorld((px[0] + px[1]) / 2, (py[0] + py[1]) / 2, (pz[0] + pz[1]) / 2);
           if (!reachable(point) || inSolid(colliders, point)) continue;
         }
-        addPart(grid, cell,
-                {integrals(px[0], px[1]), integrals(py[0], py[1]), integrals(pz[0], pz[1])},
-                particles);
+        const std::array<std::array<Real, 3>, 3> along{
+            integrals(px[0], px[1]), integrals(py[0], py[1]), integrals(pz[0], pz[1])};
+        for (std::size_t a = 0; a < kCellNodes; ++a) {
+          if (!wanted[a]) continue;
+          box.volume[box.place(cell + nodeOfCell(a))] +=
+              particles * along[0][a / 9] * along[1][a / 3 % 3] * along[2][a % 3];
+        }
       }
     }
   }
 }
 
-/// Adds a part of a cell to the nodes around it that the box has.
-/// @param splines integrals over the part along each axis
-/// @param particles in a whole cell
 template <class Real>
-void FreeVolume<Real>::addPart(const CoarseGrid<Real>& grid, const Eigen::Vector3i& cell,
-                               const std::array<std::array<Real, 3>, 3>& splines, Real particles) {
-  for (std::size_t a = 0; a < kCellNodes; ++a) {
-    const std::size_t i = a / 9, j = a / 3 % 3, k = a % 3;
-    const Eigen::Vector3i node = cell + Eigen::Vector3i(int(i), int(j), int(k));
-    if ((node.array() < 0).any() || (node.array() >= grid.nodes().array()).any()) continue;
-    const std::ptrdiff_t number = node.x() * grid.strideX() + node.y() * grid.strideY() + node.z();
-    volume_[grid.first_node + std::size_t(number)] +=
-        particles * splines[0][i] * splines[1][j] * splines[2][k];
-  }
+std::size_t FreeVolume<Real>::bytes() const {
+  std::size_t bytes = volume_.capacity() * sizeof(Real) + known_.volume.capacity() * sizeof(Real);
+  for (const Box& box : boxes_) bytes += box.volume.capacity() * sizeof(Real);
+  return bytes;
 }
 
 template class FreeVolume<float>;

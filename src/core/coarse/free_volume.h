@@ -11,33 +11,53 @@ namespace ice_ice_baby {
 template <class Real>
 class FreeVolume {
  public:
-  /// Follows the grids. A grid is computed again only when its box or a collider has moved.
+  /// Follows the grids. Only nodes that are new to the box of a grid are computed, unless a
+  /// collider near the box has moved in the frame of the grid.
   void update(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders);
 
   /// (nodes)
   const std::vector<Real>& atNodes() const { return volume_; }
-  std::size_t bytes() const {
-    return volume_.capacity() * sizeof(Real) + boxes_.capacity() * sizeof(Box);
-  }
+  std::size_t bytes() const;
 
  private:
-  /// What the volumes of a grid were computed for.
+  struct NearCollider {
+    Index collider;
+    Pose<Real> pose;  ///< in the frame of the grid
+    bool operator==(const NearCollider& other) const {
+      return collider == other.collider && pose.position == other.pose.position &&
+             pose.rotation == other.pose.rotation;
+    }
+  };
+  /// A grid's box and what its volumes were computed for.
   struct Box {
     Eigen::Vector3i low = Eigen::Vector3i::Zero();
     Eigen::Vector3i cells = Eigen::Vector3i::Zero();
-    std::size_t first_node = 0;
-  };
-  bool movedSince(const Colliders<Real>& colliders) const;
-  void compute(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
-               const CoarseGrid<Real>& grid);
-  void addCell(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
-               const CoarseGrid<Real>& grid, const Eigen::Vector3i& cell);
-  void addPart(const CoarseGrid<Real>& grid, const Eigen::Vector3i& cell,
-               const std::array<std::array<Real, 3>, 3>& splines, Real particles);
+    std::vector<NearCollider> near;
+    std::vector<Real> volume;  ///< (nodes)
 
-  std::vector<Real> volume_;       ///< (nodes)
-  std::vector<Box> boxes_;         ///< (grids)
-  std::vector<Pose<Real>> poses_;  ///< of each collider
+    bool empty() const { return cells.isZero(); }
+    std::size_t place(const Eigen::Vector3i& node) const {
+      return (std::size_t(node.x()) * std::size_t(cells.y() + 2) + std::size_t(node.y())) *
+                 std::size_t(cells.z() + 2) +
+             std::size_t(node.z());
+    }
+    /// Whether it has the nodes from `first` to `last`, counted from the origin of the grid.
+    bool has(const Eigen::Vector3i& first, const Eigen::Vector3i& last) const {
+      return !empty() && (first.array() >= low.array()).all() &&
+             (last.array() < (low + cells).array() + 2).all();
+    }
+  };
+  void findNear(const CoarseGrid<Real>& grid, const Colliders<Real>& colliders);
+  void compute(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
+               const CoarseGrid<Real>& grid, const Box& known, Box& box) const;
+  void addCell(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
+               const CoarseGrid<Real>& grid, const Eigen::Vector3i& cell, const Box& known,
+               Box& box) const;
+
+  std::vector<Real> volume_;  ///< (nodes)
+  std::vector<Box> boxes_;    ///< (grids)
+  std::vector<NearCollider> near_;
+  Box known_;  ///< the box that one is computed from
 };
 
 }  // namespace ice_ice_baby

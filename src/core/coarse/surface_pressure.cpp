@@ -20,6 +20,7 @@ constexpr double kAtSurface = 0.65, kSurfaceLayers = 5.0;
 template <class Real>
 void DisplacementProjection<Real>::levelPressure(const Vec3<Real>& gravity, Real dt) {
   if (active_.empty()) return;
+  findShares();
   const std::vector<Index>& order = grids_.order();
   const CoarseGrid<Real>* first = grids_.grids().data();
   const Real layer = spacing_ * gravity.norm() * dt * dt;
@@ -44,6 +45,18 @@ void DisplacementProjection<Real>::levelPressure(const Vec3<Real>& gravity, Real
   });
 }
 
+/// Share of the room around each node that is filled.
+template <class Real>
+void DisplacementProjection<Real>::findShares() {
+  const std::vector<Real>& rest = free_volume_.atNodes();
+  share_.reserve(rest.capacity());
+  share_.resize(rest.size());
+  parallelFor(rest.size(), [&](std::size_t node) {
+    const Real fill = deposits_[node * kDeposits + 1];
+    share_[node] = rest[node] > 0 ? std::min(Real(1), fill / rest[node]) : Real(1);
+  });
+}
+
 /// Whether a third of the surroundings of particle k of the order, as its nodes see them, is empty.
 template <class Real>
 bool DisplacementProjection<Real>::atSurface(std::size_t k) const {
@@ -53,10 +66,7 @@ bool DisplacementProjection<Real>::atSurface(std::size_t k) const {
   const SplineAt<Real> spline(sorted_, k);
   Real filled = 0;
   for (std::size_t a = 0; a < kCellNodes; ++a) {
-    const std::size_t node = std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a));
-    const Real rest = free_volume_.atNodes()[node], fill = deposits_[node * kDeposits + 1];
-    const Real share = rest > 0 ? std::min(Real(1), fill / rest) : Real(1);
-    filled += share * spline.value(a);
+    filled += share_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))] * spline.value(a);
   }
   return filled < static_cast<Real>(kAtSurface);
 }

@@ -45,7 +45,7 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
       neighbours_(static_cast<Real>(scene.supportRadius_m()),
                   static_cast<Real>(kSkin * scene.fluid.spacing_m)),
       substeps_(scene.substeps()),
-      fewest_substeps_(scene.solver.target_error > 0.0 ? kFewestSubsteps : substeps_) {
+      fewest_substeps_(scene.fewestSubsteps()) {
   // scene() returns the values in force
   if (scene.adaptsSubsteps()) scene_.solver.target_error = scene.promisedError();
   scene_.solver.substeps = substeps_;

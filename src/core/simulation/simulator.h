@@ -145,8 +145,6 @@ class Simulator final : public Simulation {
   StageClock report_clock_{"report"};
 
   StepReport report_;
-  /// With a target error of its own a scene takes no more substeps than that error needs.
-  static constexpr int kFewestSubsteps = 2;
   int substeps_;         ///< of the frame that comes next
   int fewest_substeps_;  ///< that the error may bring it down to
   double strictness_ = 0.0;

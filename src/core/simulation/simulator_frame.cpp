@@ -9,15 +9,11 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Bound of the number of substeps that an error takes.
-constexpr int kMaxSubsteps = 64;
 /// Share of the promised error of a quality from which on it is followed, in the mean over the run
 /// or, before that is over, over the first second.
-constexpr double kWatched = 0.5;
+constexpr double kWatched = 0.6;
 /// In a substep water moves at most this far, in spacings: twice its root mean square speed.
 constexpr double kMaxStep_d = 1.0;
-/// In a substep gravity moves water at most this far, in spacings.
-constexpr double kMaxFall_d = 0.1;
 
 /// Compressed water is relaxed with at most this many corrections, or until the largest density is
 /// within this fraction of rest density.
@@ -81,17 +77,17 @@ void Simulator<Real>::followTargetError() {
   const double d_m = scene_.fluid.spacing_m, rate_1_s = scene_.solver.frame_rate_hz;
   const double for_error = substeps_ * std::sqrt(report_.density_error_mean / target);
   const double for_speed = 2.0 * report_.rms_speed_m_s / (rate_1_s * kMaxStep_d * d_m);
-  const double for_fall = std::sqrt(scene_.gravity_m_s2.norm() / (kMaxFall_d * d_m)) / rate_1_s;
-  const bool own_target = fewest_substeps_ == kFewestSubsteps;
+  const double for_fall = scene_.substepsForFall();
+  const bool own_target = fewest_substeps_ == kMinSubsteps;
   const double frames = double(report_.frame);
   const double run_error = report_.density_error_run * frames / std::max(frames, rate_1_s);
   const bool needed = run_error > kWatched * target;
-  const double wanted = std::ceil(own_target ? std::max({for_error, for_speed, for_fall})
-                                  : needed   ? for_error
-                                             : 0.0);
+  const double wanted = std::max(for_fall, own_target ? std::max(for_error, for_speed)
+                                           : needed   ? for_error
+                                                      : 0.0);
   const double fewest = std::max(fewest_substeps_, substeps_ - 1);
-  const double max = std::min(kMaxSubsteps, 2 * substeps_);
-  const int next = static_cast<int>(std::clamp(wanted, std::min(fewest, max), max));
+  const double max = std::min<double>(kMaxSubsteps, 2 * substeps_);
+  const int next = static_cast<int>(std::clamp(std::ceil(wanted), std::min(fewest, max), max));
   if (next == substeps_) return;
   fluid_->rescale(double(substeps_) / next);
   substeps_ = next;
