@@ -87,7 +87,7 @@ void describe(SolverParams& p, Visitor&& visit) {
   visit("frame_rate_hz", p.frame_rate_hz, Range{1.0, 10000.0},
         "frames per simulated second; state is reported once a frame");
   visit("quality", p.quality,
-        "mean density error that the solver keeps: 1 %, 0.2 % or 0.03 %, with 3, 4 or 10 substeps, "
+        "mean density error that the solver keeps: 1 %, 0.2 % or 0.03 %, with 3, 5 or 10 substeps, "
         "or "
         "as many more as that takes; measured in doc/error_vs_runtime.md");
   visit("target_error", p.target_error, Range{0.0, 0.5},

@@ -73,7 +73,7 @@ struct Scene : ColliderLists {
   double supportRadius_m() const;
   /// Substeps per frame in force; those of the first frame if their number is adapted.
   int substeps() const;
-  /// Substeps per frame that an adapted number never falls below: 3, 4 or 10 by quality,
+  /// Substeps per frame that an adapted number never falls below: 3, 5 or 10 by quality,
   /// kMinSubsteps with a target error.
   int fewestSubsteps() const;
   /// Substeps per frame in which gravity moves water by at most 0.03 spacings each; at most

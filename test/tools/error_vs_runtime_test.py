@@ -258,7 +258,7 @@ class Program(unittest.TestCase):
         table = self.folder / "peers.csv"
         table.write_text(PEERS)
         done = self.go("--report", "--no-run", "--doc", self.folder / "doc", "--peers", table)
-        self.assertIn("its runs took 0.5 min", done.stdout)
+        self.assertIn("its runs took 0.7 min", done.stdout)
         text = (self.folder / "doc" / "error_vs_runtime.md").read_text()
         self.assertIn("For 30 fps with 20,000 particles take 4 substeps**", text)
         self.assertIn("`--set solver.substeps=4`", text)

@@ -37,13 +37,13 @@ class RunScene(RunSceneCase):
         self.assertEqual(report["threads"], 2)
         self.assertEqual(report["precision"], "double")
         self.assertAlmostEqual(report["simulated_time_s"], 0.1)
-        self.assertEqual(report["steps"], 36)
+        self.assertEqual(report["steps"], 30)
         self.assertEqual((report["escaped"], report["non_finite"]), (0, 0))
         self.assertRegex(report["state_hash"], "^[0-9a-f]{16}$")
         for stage in report["stages"]:
             self.assertEqual(set(stage), {"name", "calls", "time_s", "bytes"})
         calls = {stage["name"]: stage["calls"] for stage in report["stages"]}
-        self.assertEqual(calls["predict"], 36)
+        self.assertEqual(calls["predict"], 30)
         self.assertNotIn("make_springs", calls)
 
     def test_same_bits_for_any_number_of_threads(self):

@@ -70,18 +70,53 @@ def points_table(rows, keys):
     return markdown.table(header, lines)
 
 
+def sizes_table(rows, keys):
+    """What an accuracy costs at each number of particles."""
+    lines = []
+    for row in sorted(rows, key=lambda row: (row.get("particles", 0), -row.get("density_mean", 0))):
+        if choices.COST not in row:
+            continue
+        cost = row[choices.COST]
+        lines.append(
+            [
+                f"{row['particles']:,}",
+                setting(row, keys),
+                percent(row["density_mean"]),
+                percent(row["density_max"]),
+                percent(row.get("energy_rise", 0)),
+                f"{cost:.0f}",
+                f"{choices.most_particles({'cost': cost}):,.0f}",
+            ]
+        )
+    return markdown.table(
+        [
+            "particles",
+            "setting",
+            "mean error %",
+            "maximum %",
+            "energy gained without work, %",
+            "µs/particle/s",
+            "particles in real time",
+        ],
+        lines,
+    )
+
+
 def study_section(result):
     study, constants, rows = result.study, result.constants, result.rows
     keys = varying(rows, result.axes)
     counts = sorted({row["particles"] for row in rows if "particles" in row})
     text = f"## {study.scene}: {study.shows}\n\n"
-    text += f"{counts[0]:,} particles, {constants['duration_s']:g} s"
+    between = f"{counts[0]:,}" if len(counts) == 1 else f"{counts[0]:,} to {counts[-1]:,}"
+    text += f"{between} particles, {constants['duration_s']:g} s"
     text += "".join(f", `{word}`" for word in constants["set"]) + ".\n\n"
     if study.picture:
         name = f"images/error_vs_runtime_{study.name}_"
         text += (
             f"![error against run time]({name}error.png)\n![other metrics]({name}metrics.png)\n\n"
         )
+    if study.sizes:
+        return text + sizes_table(rows, keys) + "\n"
     if study.water:
         text += "Pareto front:\n\n"
         rows = [row for row in rows if row["on_front"]]

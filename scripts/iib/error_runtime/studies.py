@@ -11,6 +11,8 @@ THREADS = "2"
 # The study whose scene other programs were measured on.
 PEERS_STUDY = "dam_break"
 
+QUALITIES = ["fast", "balanced", "accurate"]
+
 # The same settings in every scene of water, so that one setting can be judged by all of them.
 WATER = (
     {"solver.substeps": ["2", "3", "4", "6", "8", "12", "16", "24"]},
@@ -32,6 +34,7 @@ class Study:
     trajectory_s: float = 0.0
     water: bool = True
     picture: bool = True
+    sizes: bool = False  # points differ in their number of particles
 
 
 STUDIES = (
@@ -54,10 +57,31 @@ STUDIES = (
         "splash", "container_splash", "a block falls into a container, as in the demo", WATER, 2.0
     ),
     Study(
+        "number",
+        "dam_break",
+        "the same dam with more and smaller particles",
+        (
+            {"fluid.spacing_m": ["0.1", "0.05", "0.025"], "solver.quality": QUALITIES},
+            {"fluid.spacing_m": ["0.016"], "solver.quality": ["balanced"]},
+        ),
+        2.0,
+        water=False,
+        sizes=True,
+    ),
+    Study(
+        "depth",
+        "deep_column",
+        "the same column with more and thinner layers: 40, 80 and 160",
+        ({"fluid.spacing_m": ["0.01", "0.005", "0.0025"], "solver.quality": QUALITIES},),
+        2.0,
+        water=False,
+        sizes=True,
+    ),
+    Study(
         "ice",
         "freeze_container",
         "a splash that freezes in mid-wave and stays frozen",
-        ({"solver.quality": ["fast", "balanced", "accurate"]}, {"preset": ["paper"]}),
+        ({"solver.quality": QUALITIES}, {"preset": ["paper"]}),
         3.0,
         ("schedule=[{at_s: 0.5, celsius: -10, ramp_s: 1}]", "springs.sleep_speed_m_s=0"),
         water=False,

@@ -13,7 +13,7 @@ namespace ice_ice_baby {
 namespace {
 
 /// Largest rounding of positions, in displacements by gravity in a substep.
-constexpr double kRounding_falls = 0.1;
+constexpr double kRounding_falls = 0.12;
 /// Share of the displacement by gravity in a substep from which on a wall holds a particle.
 constexpr double kHeld_falls = 0.25;
 
@@ -57,7 +57,7 @@ void DisplacementProjection<Real>::project(Particles<Real>& particles,
 }
 
 /// Whether positions are precise enough for the displacement by gravity in a substep: in single
-/// precision up to 60 m from the origin with the default settings.
+/// precision up to 110 m from the origin with the default settings.
 template <class Real>
 bool DisplacementProjection<Real>::resolved(Real fall_m) const {
   Real farthest_m = 0;

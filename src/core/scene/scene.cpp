@@ -42,11 +42,11 @@ int Scene::fewestSubsteps() const {
     case Quality::kFast:
       return 3;
     case Quality::kBalanced:
-      return 4;
+      return 5;
     case Quality::kAccurate:
       return 10;
   }
-  return 4;
+  return 5;
 }
 
 int Scene::substepsForFall() const {

@@ -10,8 +10,8 @@ namespace ice_ice_baby {
 namespace {
 
 /// Share of the promised error of a quality from which on it is followed, in the mean over the run
-/// or, before that is over, over the first second.
-constexpr double kWatched = 0.6;
+/// or, before that is over, over the first frames.
+constexpr double kWatched = 0.6, kFirstFrames = 60.0;
 /// In a substep water moves at most this far, in spacings: twice its root mean square speed.
 constexpr double kMaxStep_d = 1.0;
 
@@ -80,7 +80,7 @@ void Simulator<Real>::followTargetError() {
   const double for_fall = scene_.substepsForFall();
   const bool own_target = fewest_substeps_ == kMinSubsteps;
   const double frames = double(report_.frame);
-  const double run_error = report_.density_error_run * frames / std::max(frames, rate_1_s);
+  const double run_error = report_.density_error_run * frames / std::max(frames, kFirstFrames);
   const bool needed = run_error > kWatched * target;
   const double wanted = std::max(for_fall, own_target ? std::max(for_error, for_speed)
                                            : needed   ? for_error

@@ -225,15 +225,34 @@ TEST(SimulatorTest, SpeedLimitActsIsCountedAndHoldsTheParticles) {
 TEST(SimulatorTest, QualityChoosesSubstepsUnlessTheSceneDoes) {
   Scene scene = floatingCube(2);
   const std::map<Quality, int> substeps{
-      {Quality::kFast, 4}, {Quality::kBalanced, 6}, {Quality::kAccurate, 12}};
+      {Quality::kFast, 3}, {Quality::kBalanced, 5}, {Quality::kAccurate, 10}};
   for (const auto& [quality, count] : substeps) {
     scene.solver.quality = quality;
     const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
     EXPECT_EQ(simulation->scene().solver.substeps, count);
     EXPECT_EQ(simulation->advanceFrame().substeps, count);
   }
-  scene.solver.substeps = 3;
-  EXPECT_EQ(makeSimulation(scene)->advanceFrame().substeps, 3);
+  scene.solver.substeps = 2;
+  EXPECT_EQ(makeSimulation(scene)->advanceFrame().substeps, 2);
+}
+
+TEST(SimulatorTest, SubstepsBoundTheFallOfWater) {
+  // dt = sqrt(0.03 d / g), rounded to a whole number of substeps per frame of 1/60 s.
+  const std::map<double, int> substeps{{1e-2, 5}, {1e-3, 10}, {1e-4, 31}};
+  for (const auto& [spacing_m, count] : substeps) {
+    Scene scene = floatingCube(2);
+    scene.gravity_m_s2 = {0, 0, -9.81};
+    scene.fluid.spacing_m = spacing_m;
+    scene.blocks[0].max_m = scene.blocks[0].min_m + Vec3d::Constant(2 * spacing_m);
+    EXPECT_EQ(makeSimulation(scene)->advanceFrame().substeps, count) << spacing_m << " m";
+  }
+  Scene scene = floatingCube(2);
+  const auto simulation = makeSimulation(scene);
+  simulation->setGravity({0, 0, -9810});
+  simulation->advanceFrame();
+  for (int frame = 0; frame < 4; ++frame) simulation->advanceFrame();
+  const double d_m = scene.fluid.spacing_m;
+  EXPECT_EQ(simulation->report().substeps, int(std::ceil(std::sqrt(9810 / (0.03 * d_m)) / 60)));
 }
 
 TEST(SimulatorTest, SubstepsFollowTheTargetError) {
