@@ -2,6 +2,7 @@
 
 #include "heat_status.h"
 #include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/quality_warning.h"
 
 namespace ice_ice_baby {
 
@@ -60,13 +61,7 @@ void Diagnostics::solver(Status& status) {
                         "corrections are limited, so the water is too compressible; raise "
                         "solver.substeps");
   }
-  if (!report.quality_met) {
-    status.mergeSummary(Level::WARN,
-                        "the mean density error, " + numberText(report.density_error_run) +
-                            ", is larger than the " + numberText(report.promised_error) +
-                            " asked for; set solver.substeps to 0, or choose a lower "
-                            "solver.quality");
-  }
+  if (!report.quality_met) status.mergeSummary(Level::WARN, qualityWarning(report));
   if (report.non_finite > 0) {
     status.summary(Level::WARN, "non-finite values were repaired; raise solver.substeps");
   }

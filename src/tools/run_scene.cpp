@@ -11,6 +11,7 @@
 #include "frame_loop.h"
 #include "ice_ice_baby/checkpoint.h"
 #include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/quality_warning.h"
 #include "ice_ice_baby/scene_loader.h"
 #include "output_space.h"
 #include "run_report.h"
@@ -123,11 +124,8 @@ void warnOfLimits(const Scene& scene, std::size_t particles, const RunRecord& re
 }
 
 void warnOfQuality(const StepReport& report) {
-  if (report.quality_met) return;
-  std::fprintf(stderr,
-               "run_scene: warning: the mean density error, %.3g %%, is larger than the %.3g %% "
-               "asked for; set solver.substeps to 0, or choose a lower solver.quality\n",
-               100 * report.density_error_run, 100 * report.promised_error);
+  const std::string warning = qualityWarning(report);
+  if (!warning.empty()) std::fprintf(stderr, "run_scene: warning: %s\n", warning.c_str());
 }
 
 void printSummary(const Simulation& simulation, const RunRecord& record) {

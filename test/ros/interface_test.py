@@ -150,6 +150,15 @@ class Interface(unittest.TestCase):
         stages = [v.key for v in self.node.diagnostic("real time", lambda s: True).values]
         self.assertIn("lambda [ms per frame]", stages)
 
+    def test_an_error_above_the_promise_is_a_warning(self):
+        self.node.start("coarse_steps")
+        state = self.node.run_frames(60)
+        self.assertFalse(state.quality_met)
+        self.assertGreater(state.density_error_run, state.promised_error)
+        status = self.node.diagnostic("solver", lambda s: s.level == 1)
+        self.assertIn("larger than the 0.2 % asked for; set solver.substeps to 0", status.message)
+        self.node.start("small")
+
     def test_without_subscribers_nothing_is_built(self):
         wait_until(
             lambda: all(t.subscribers == 0 for t in self.node.state().topics),

@@ -41,10 +41,11 @@ class FreeVolume {
                  std::size_t(cells.z() + 2) +
              std::size_t(node.z());
     }
-    /// Whether it has the nodes from `first` to `last`, counted from the origin of the grid.
+    /// Whether it holds the whole room of the nodes from `first` to `last`, counted from the origin
+    /// of the grid. Part of the room of its outermost nodes lies beyond the cells that it sums.
     bool has(const Eigen::Vector3i& first, const Eigen::Vector3i& last) const {
-      return !empty() && (first.array() >= low.array()).all() &&
-             (last.array() < (low + cells).array() + 2).all();
+      return !empty() && (first.array() > low.array()).all() &&
+             (last.array() <= (low + cells).array()).all();
     }
   };
   void findNear(const CoarseGrid<Real>& grid, const Colliders<Real>& colliders);

@@ -10,7 +10,7 @@
 
 namespace ice_ice_baby {
 
-/// Makes colliders jump that would move farther than `most_m` in a frame: beyond the speed limit no
+/// Makes colliders jump that would move farther than `max_m` in a frame: beyond the speed limit no
 /// particle could follow them or move out of their way.
 /// @return the colliders that jumped
 template <class Real>

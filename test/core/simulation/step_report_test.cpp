@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "ice_ice_baby/quality_warning.h"
+
 namespace ice_ice_baby {
 namespace {
 
@@ -50,6 +52,22 @@ TEST(StepReportTest, WhatIsReproducibleIsAllButTheWallClock) {
       [&](const char* name, const auto&, const char*) { reproducible.insert(name); }, report);
   reproducible.insert("frame_wall_s");
   EXPECT_EQ(all, reproducible);
+}
+
+TEST(StepReportTest, ABrokenPromiseIsToldWithItsCure) {
+  StepReport report;
+  report.promised_error = 0.002;
+  report.density_error_run = 0.00425;
+  report.substeps = 6;
+  EXPECT_EQ(qualityWarning(report), "");
+  report.quality_met = false;
+  EXPECT_EQ(qualityWarning(report),
+            "the mean density error, 0.425 %, is larger than the 0.2 % asked for; set "
+            "solver.substeps to 0, so that their number follows the error, or choose a lower "
+            "solver.quality");
+  report.substeps = 64;
+  EXPECT_NE(qualityWarning(report).find("64 substeps per frame are not enough: raise"),
+            std::string::npos);
 }
 
 }  // namespace

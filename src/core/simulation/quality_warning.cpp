@@ -1,0 +1,31 @@
+#include "ice_ice_baby/quality_warning.h"
+
+#include <cstdio>
+
+#include "ice_ice_baby/scene.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+std::string percentText(double fraction) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%", 100 * fraction);
+  return text;
+}
+
+}  // namespace
+
+std::string qualityWarning(const StepReport& report) {
+  if (report.quality_met) return {};
+  const std::string cure =
+      report.substeps >= kMaxSubsteps
+          ? std::to_string(report.substeps) +
+                " substeps per frame are not enough: raise solver.frame_rate_hz"
+          : "set solver.substeps to 0, so that their number follows the error";
+  return "the mean density error, " + percentText(report.density_error_run) +
+         ", is larger than the " + percentText(report.promised_error) + " asked for; " + cure +
+         ", or choose a lower solver.quality";
+}
+
+}  // namespace ice_ice_baby
