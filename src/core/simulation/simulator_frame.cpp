@@ -12,9 +12,10 @@ namespace {
 /// Share of the promised error of a quality from which on it is followed, in the mean over the run
 /// or, before that is over, over the first frames.
 constexpr double kWatched = 0.6, kFirstFrames = 60.0;
-/// In a substep water moves at most this far, in spacings: twice its root mean square speed. The
-/// second bound keeps pressed water from being compressed.
-constexpr double kMaxStep_d = 1.0, kPressedStep_d = 0.2;
+/// In a substep water moves at most this far, in spacings: twice its root mean square speed.
+constexpr double kMaxStep_d = 1.0;
+/// The same for water under pressure, over the square root of the promised error: 0.2 at 0.2 %.
+constexpr double kPressedStep_d = 4.47;
 
 /// Compressed water is relaxed with at most this many corrections, or until the largest density is
 /// within this fraction of rest density.
@@ -86,7 +87,8 @@ void Simulator<Real>::followTargetError() {
   if (own_target) {
     wanted = std::max({wanted, for_error, step_d / kMaxStep_d});
   } else {
-    const double for_speed = std::min(step_d / kPressedStep_d, for_error / std::sqrt(kWatched));
+    const double for_speed =
+        std::min(step_d / (kPressedStep_d * std::sqrt(target)), for_error / std::sqrt(kWatched));
     wanted = std::max(wanted, std::min(for_speed, substeps_ + 1.0));
     if (run_error > kWatched * target) wanted = std::max(wanted, for_error);
   }
