@@ -76,7 +76,7 @@ struct Scene : ColliderLists {
   /// Substeps per frame that an adapted number never falls below: 3, 5 or 10 by quality,
   /// kMinSubsteps with a target error.
   int fewestSubsteps() const;
-  /// Substeps per frame in which gravity moves water by at most 0.012 spacings each; at most
+  /// Substeps per frame in which gravity moves water by at most 0.008 spacings each; at most
   /// kMaxSubsteps.
   int substepsForFall() const;
   /// Mean density error that the scene asks for, as a fraction; 0 with the preset of the paper.

@@ -8,8 +8,8 @@ namespace ice_ice_baby {
 namespace {
 
 /// In a substep gravity moves water at most this far, in spacings; a column of 20 x 20 x 160
-/// particles is unstable from 0.017 on.
-constexpr double kMaxFall_d = 0.012;
+/// particles of 2.5 mm is unstable from 0.011 on.
+constexpr double kMaxFall_d = 0.008;
 
 }  // namespace
 

@@ -237,8 +237,8 @@ TEST(SimulatorTest, QualityChoosesSubstepsUnlessTheSceneDoes) {
 }
 
 TEST(SimulatorTest, SubstepsBoundTheFallOfWater) {
-  // dt = sqrt(0.012 d / g), rounded to a whole number of substeps per frame of 1/60 s.
-  const std::map<double, int> substeps{{1e-2, 5}, {1e-3, 16}, {1e-4, 48}};
+  // dt = sqrt(0.008 d / g), rounded to a whole number of substeps per frame of 1/60 s.
+  const std::map<double, int> substeps{{1e-2, 6}, {1e-3, 19}, {1e-4, 59}};
   for (const auto& [spacing_m, count] : substeps) {
     Scene scene = floatingCube(2);
     scene.gravity_m_s2 = {0, 0, -9.81};
@@ -252,7 +252,7 @@ TEST(SimulatorTest, SubstepsBoundTheFallOfWater) {
   simulation->advanceFrame();
   for (int frame = 0; frame < 4; ++frame) simulation->advanceFrame();
   const double d_m = scene.fluid.spacing_m;
-  EXPECT_EQ(simulation->report().substeps, int(std::ceil(std::sqrt(981 / (0.012 * d_m)) / 60)));
+  EXPECT_EQ(simulation->report().substeps, int(std::ceil(std::sqrt(981 / (0.008 * d_m)) / 60)));
 }
 
 TEST(SimulatorTest, SubstepsFollowTheTargetError) {
