@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every deliberate fault of mutations.yaml fits the sources, so that scripts/check/mutate can plant it."""
+"""Every deliberate fault of mutations.yaml fits the sources, so that check/mutate can plant it."""
 
 import pathlib
 import unittest
