@@ -104,7 +104,6 @@ TEST(EnergyTest, TheElasticPartIsThatOfAnEvenlyPressedColumn) {
   // Pressure p compresses a volume V by C: energy p C V / 2, with p = rho g z and C as measured.
   Scene scene = test::fullTank(8, true);
   scene.solver.coarse_level = false;  // with it the column is hardly compressed
-  scene.solver.substeps = 6;
   const auto simulation = makeSimulation(scene, Precision::kDouble, 1);
   for (int frame = 0; frame < 240; ++frame) simulation->advanceFrame();
   std::vector<ParticleSample> particles;
