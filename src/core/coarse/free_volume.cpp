@@ -102,7 +102,7 @@ void FreeVolume<Real>::compute(const CoarseGrids<Real>& grids, const Colliders<R
     for (int y = 0; y < nodes.y(); ++y) {
       for (int z = 0; z < nodes.z(); ++z) {
         const Eigen::Vector3i node(int(x), y, z), at = node + box.low;
-        if (known.has(at, at) && box.has(at, at))
+        if (box.keeps(known, at, at))
           box.volume[box.place(node)] = known.volume[known.place(at - known.low)];
       }
     }
@@ -131,10 +131,7 @@ void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<R
                                const CoarseGrid<Real>& grid, const Eigen::Vector3i& cell,
                                const Box& known, Box& box) const {
   const Eigen::Vector3i at = grid.low + cell;
-  const auto isKnown = [&](const Eigen::Vector3i& first, const Eigen::Vector3i& last) {
-    return known.has(first, last) && box.has(first, last);
-  };
-  if (isKnown(at, at + Eigen::Vector3i::Constant(2))) return;
+  if (box.keeps(known, at, at + Eigen::Vector3i::Constant(2))) return;
   std::array<std::array<Real, 2>, 3> range;
   for (int axis = 0; axis < 3; ++axis) {
     // Outside of a container with flat walls there is nothing; the world goes on.
@@ -177,7 +174,7 @@ void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<R
   for (std::size_t a = 0; a < kCellNodes; ++a) {
     const Eigen::Vector3i node = cell + nodeOfCell(a);
     wanted[a] = (node.array() >= 0).all() && (node.array() < grid.nodes().array()).all() &&
-                !isKnown(node + grid.low, node + grid.low);
+                !box.keeps(known, node + grid.low, node + grid.low);
   }
   const Real particles = Real(kCell_d * kCell_d * kCell_d) * size.prod() /
                          (grids.cell_m() * grids.cell_m() * grids.cell_m());

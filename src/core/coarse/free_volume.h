@@ -47,6 +47,10 @@ class FreeVolume {
       return !empty() && (first.array() > low.array()).all() &&
              (last.array() <= (low + cells).array()).all();
     }
+    /// Whether their room is that of the box before.
+    bool keeps(const Box& known, const Eigen::Vector3i& first, const Eigen::Vector3i& last) const {
+      return known.has(first, last) && has(first, last);
+    }
   };
   void findNear(const CoarseGrid<Real>& grid, const Colliders<Real>& colliders);
   void compute(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
