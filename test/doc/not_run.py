@@ -19,6 +19,8 @@ NOT_RUN = {
     "catkin_make *": "needs a catkin workspace",
     "run_scene --defaults > config/default.yaml": "changes the source tree",
     "run_scene dam_break --set fluid.spacing_m=0.015 *": "takes half a minute",
+    "run_scene deep_column --threads 1 *": "takes a minute",
+    "run_scene dam_break --threads 1 *": "takes half a minute",
     "run_scene iceberg --threads 2 --duration 6 --profile": "takes half a minute",
 }
 

@@ -13,7 +13,7 @@ namespace ice_ice_baby::fuzz {
 namespace {
 
 /// Without boundary density, whose tables take a second with sanitizers.
-constexpr char kScene[] = R"(
+constexpr char kCheckpointScene[] = R"(
 fluid: {spacing_m: 0.05, boundary_density: false}
 thermal: {enabled: true}
 solver: {quality: fast}
@@ -31,7 +31,7 @@ constexpr std::size_t kHeader_bytes = 32;
 constexpr std::size_t kEdit_bytes = 6;
 
 std::string freshCheckpoint() {
-  const auto simulation = makeSimulation(parseScene(kScene), Precision::kFloat, 1);
+  const auto simulation = makeSimulation(parseScene(kCheckpointScene), Precision::kFloat, 1);
   simulation->advanceFrame();
   return encodeCheckpoint(*simulation);
 }

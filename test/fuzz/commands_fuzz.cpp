@@ -10,7 +10,7 @@ namespace ice_ice_baby::fuzz {
 namespace {
 
 /// Without containers and balls, whose tables take a second with sanitizers.
-constexpr char kScene[] = R"(
+constexpr char kCommandsScene[] = R"(
 fluid: {spacing_m: 0.05, boundary_density: false}
 thermal: {enabled: true, speedup: 1000}
 solver: {quality: fast}
@@ -88,7 +88,7 @@ void run(Simulation& simulation, const std::string& line) {
 }  // namespace
 
 void commands(const std::string& bytes) {
-  static const Scene scene = parseScene(kScene);
+  static const Scene scene = parseScene(kCommandsScene);
   const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
   const std::size_t particles = simulation->report().particles;
   std::istringstream lines(bytes);

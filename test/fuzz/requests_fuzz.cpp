@@ -14,7 +14,7 @@ namespace ice_ice_baby::fuzz {
 
 namespace {
 
-constexpr char kScene[] = R"(
+constexpr char kRequestsScene[] = R"(
 fluid: {spacing_m: 0.05, boundary_density: false}
 thermal: {enabled: true}
 solver: {quality: fast}
@@ -59,7 +59,7 @@ void serve(Simulation& simulation, const std::string& bytes) {
 }  // namespace
 
 void requests(const std::string& bytes) {
-  static const Scene scene = parseScene(kScene);
+  static const Scene scene = parseScene(kRequestsScene);
   if (bytes.empty()) return;
   const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
   const std::uint64_t before = simulation->stateHash();

@@ -9,7 +9,7 @@
 #include "particles/kernels.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace instruction_sets_test {
 
 using test::Cloud;
 
@@ -162,5 +162,5 @@ TEST(InstructionSets, EachFindsTheSameNeighbours) {
   }
 }
 
-}  // namespace
+}  // namespace instruction_sets_test
 }  // namespace ice_ice_baby

@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace ice_ice_baby {
-namespace {
+namespace list_pages_test {
 
 /// Writes lists, each filled with its own number. @return their places
 std::vector<Index> writeLists(ListPages& pages, Index lists, std::size_t length) {
@@ -53,5 +53,5 @@ TEST(ListPagesTest, PagesBeyondTheLimitAreRefused) {
   EXPECT_LE(pages.bytes(), 1'001'000u);
 }
 
-}  // namespace
+}  // namespace list_pages_test
 }  // namespace ice_ice_baby

@@ -9,7 +9,7 @@
 #include <random>
 
 namespace ice_ice_baby {
-namespace {
+namespace shortest_text_test {
 
 template <class Real>
 void expectSameText(Real value) {
@@ -60,5 +60,5 @@ TEST(ShortestText, StreamsWriteWhatReadsBackAsTheSameNumber) {
   }
 }
 
-}  // namespace
+}  // namespace shortest_text_test
 }  // namespace ice_ice_baby

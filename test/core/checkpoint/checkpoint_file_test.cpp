@@ -12,7 +12,7 @@
 #include "ice_ice_baby/checkpoint.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace checkpoint_file_test {
 
 namespace fs = std::filesystem;
 
@@ -143,5 +143,5 @@ TEST_F(CheckpointFileTest, TwoProcessesThatSaveToOneFileKeepItWhole) {
   EXPECT_EQ(files(), std::vector<std::string>{"run.ckpt"});
 }
 
-}  // namespace
+}  // namespace checkpoint_file_test
 }  // namespace ice_ice_baby

@@ -6,7 +6,7 @@
 #include "simulation/stories.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace checkpoint_test {
 
 using test::fullTank;
 using test::splash;
@@ -139,5 +139,5 @@ TEST(CheckpointTest, AChangedLayoutNeedsANewVersion) {
   EXPECT_EQ(sizeOf(test::hailStory().scene), 75101U) << cure;
 }
 
-}  // namespace
+}  // namespace checkpoint_test
 }  // namespace ice_ice_baby

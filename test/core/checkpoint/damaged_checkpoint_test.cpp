@@ -5,7 +5,7 @@
 #include "ice_ice_baby/checkpoint.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace damaged_checkpoint_test {
 
 using test::fullTank;
 
@@ -50,5 +50,5 @@ TEST(DamagedCheckpointTest, OfAnotherVersionOrNoneSaysSo) {
   EXPECT_NE(refusal("").find("not a checkpoint"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace damaged_checkpoint_test
 }  // namespace ice_ice_baby

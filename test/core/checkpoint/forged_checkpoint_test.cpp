@@ -9,7 +9,7 @@
 #include "simulation/stories.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace forged_checkpoint_test {
 
 using test::blockOf;
 using test::Random;
@@ -163,5 +163,5 @@ INSTANTIATE_TEST_SUITE_P(Of, ForgedStateTest,
                                          small(test::hailStory(), 1.6)),
                          [](const auto& made) { return made.param.name; });
 
-}  // namespace
+}  // namespace forged_checkpoint_test
 }  // namespace ice_ice_baby

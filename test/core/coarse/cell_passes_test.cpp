@@ -6,7 +6,7 @@
 #include <random>
 
 namespace ice_ice_baby {
-namespace {
+namespace cell_passes_test {
 
 template <class Real>
 CellParticles<Real> someParticles(std::size_t n) {
@@ -110,5 +110,5 @@ TYPED_TEST(CellPassesTest, InterpolationIsTheAdjointOfTheDeposit) {
   EXPECT_EQ(value[25], 0) << "a particle of another cell";
 }
 
-}  // namespace
+}  // namespace cell_passes_test
 }  // namespace ice_ice_baby

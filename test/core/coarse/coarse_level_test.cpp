@@ -6,7 +6,7 @@
 #include "ice_ice_baby/simulation.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace coarse_level_test {
 
 /// A column of 6 x 6 particles in a pipe.
 Scene column(int layers, double spacing_m) {
@@ -158,5 +158,5 @@ TEST(QualityTest, TheErrorOfADamStaysBelowThatOfEveryQuality) {
   }
 }
 
-}  // namespace
+}  // namespace coarse_level_test
 }  // namespace ice_ice_baby

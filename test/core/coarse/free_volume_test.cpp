@@ -9,7 +9,7 @@
 #include "fixtures.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace free_volume_test {
 
 constexpr double kSpacing_m = 0.05;
 
@@ -99,5 +99,5 @@ TEST(FreeVolumeCoarseTest, AMovedColliderIsFollowed) {
   EXPECT_NEAR(sumOf(followed) * std::pow(kSpacing_m, 3), 0.6 * 0.9 * 1.2, 1e-9);
 }
 
-}  // namespace
+}  // namespace free_volume_test
 }  // namespace ice_ice_baby

@@ -10,7 +10,7 @@
 #include "fixtures.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace collider_mesh_test {
 
 /// By the divergence theorem; negative when the triangles face inwards.
 double volume(const ColliderMesh& mesh) {
@@ -160,5 +160,5 @@ TEST(ColliderMeshTest, OfAGrownShapeBoundsCentres) {
   EXPECT_NEAR(volume(plate), 0.64 * 0.44 * 0.09, 1e-12);
 }
 
-}  // namespace
+}  // namespace collider_mesh_test
 }  // namespace ice_ice_baby

@@ -6,7 +6,7 @@
 #include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace colliders_test {
 
 using test::Random;
 
@@ -283,5 +283,5 @@ TEST(CollidersPoseTest, MovesOverTheFrameAndRefusesUnknownNames) {
   EXPECT_THROW(colliders.moveTo("tnak", target), InvalidInput);
 }
 
-}  // namespace
+}  // namespace colliders_test
 }  // namespace ice_ice_baby

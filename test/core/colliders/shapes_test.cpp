@@ -7,7 +7,7 @@
 #include "fixtures.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace shapes_test {
 
 using test::Random;
 
@@ -211,5 +211,5 @@ TEST(ShapesTest, AnswerAlikeInFloat) {
   }
 }
 
-}  // namespace
+}  // namespace shapes_test
 }  // namespace ice_ice_baby

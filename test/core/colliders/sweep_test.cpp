@@ -6,7 +6,7 @@
 #include "fixtures.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace sweep_test {
 
 using test::Random;
 
@@ -169,5 +169,5 @@ TYPED_TEST(SweepTest, CollidersMovedAtAnySpeedPassOverNoParticle) {
   }
 }
 
-}  // namespace
+}  // namespace sweep_test
 }  // namespace ice_ice_baby

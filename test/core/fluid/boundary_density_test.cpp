@@ -7,7 +7,7 @@
 #include "fixtures.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace boundary_density_test {
 
 constexpr double kSpacing_m = 0.05;
 constexpr double kSupport_m = 0.1;
@@ -250,5 +250,5 @@ TEST(BoundaryDensityTest, FloatAgreesWithDouble) {
   }
 }
 
-}  // namespace
+}  // namespace boundary_density_test
 }  // namespace ice_ice_baby

@@ -9,7 +9,7 @@
 #include "unchecked.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace coincident_test {
 
 std::size_t countDuplicates(const Simulation& simulation) {
   std::vector<ParticleSample> samples;
@@ -50,5 +50,5 @@ TEST(CoincidentTest, SeparationIsTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(hashAfter(1), hashAfter(2));
 }
 
-}  // namespace
+}  // namespace coincident_test
 }  // namespace ice_ice_baby

@@ -7,7 +7,7 @@
 #include "unchecked.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace crowding_test {
 
 using test::Random;
 
@@ -150,5 +150,5 @@ TEST(CrowdingTest, WaterAt1000MetresPerSecondStaysInAndOutAtEveryFrameRate) {
   }
 }
 
-}  // namespace
+}  // namespace crowding_test
 }  // namespace ice_ice_baby

@@ -5,7 +5,7 @@
 #include "fixtures.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace density_constraint_test {
 
 using test::Cloud;
 
@@ -279,5 +279,5 @@ TYPED_TEST(DensityConstraintTest, SolvesAgainForFewerParticles) {
   }
 }
 
-}  // namespace
+}  // namespace density_constraint_test
 }  // namespace ice_ice_baby

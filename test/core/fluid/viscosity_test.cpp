@@ -5,7 +5,7 @@
 #include "fixtures.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace viscosity_test {
 
 using test::Cloud;
 
@@ -172,5 +172,5 @@ TEST(ViscosityRate, AVelocityThatAllShareStays) {
   }
 }
 
-}  // namespace
+}  // namespace viscosity_test
 }  // namespace ice_ice_baby

@@ -8,7 +8,7 @@
 #include "ice/ice_rig.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace ice_bodies_test {
 
 using test::brick;
 using test::IceRig;
@@ -262,5 +262,5 @@ TYPED_TEST(IceBodiesTest, SameBitsForAnyNumberOfThreadsAndAnyOrderOfPlaces) {
   EXPECT_EQ(one, runOn(2, true));
 }
 
-}  // namespace
+}  // namespace ice_bodies_test
 }  // namespace ice_ice_baby

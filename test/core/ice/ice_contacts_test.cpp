@@ -5,7 +5,7 @@
 #include "ice/ice_rig.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace ice_contacts_test {
 
 using test::brick;
 using test::IceRig;
@@ -258,5 +258,5 @@ TYPED_TEST(IceContactsTest, OverlappingBodiesPartSlowly) {
   EXPECT_GT(rig.body(1).pose.centre_m.x() - rig.body(0).pose.centre_m.x(), 0.151);
 }
 
-}  // namespace
+}  // namespace ice_contacts_test
 }  // namespace ice_ice_baby

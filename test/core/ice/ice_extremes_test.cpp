@@ -4,7 +4,7 @@
 #include "ice/ice_rig.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace ice_extremes_test {
 
 using test::brick;
 using test::IceRig;
@@ -175,5 +175,5 @@ TYPED_TEST(IceExtremesTest, CoincidentMembersPartTheSameWayInEveryRun) {
   EXPECT_EQ(separated(), apart);
 }
 
-}  // namespace
+}  // namespace ice_extremes_test
 }  // namespace ice_ice_baby

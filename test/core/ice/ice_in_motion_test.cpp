@@ -8,7 +8,7 @@
 #include "simulation/simulator.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace ice_in_motion_test {
 
 struct Motion3 {
   Vec3d momentum = Vec3d::Zero();
@@ -177,5 +177,5 @@ TEST(IceInMotionTest, AHundredCyclesOfFrostAndThawLeaveEverythingAsItWas) {
   EXPECT_EQ(after.speed_limited, 0u);
 }
 
-}  // namespace
+}  // namespace ice_in_motion_test
 }  // namespace ice_ice_baby

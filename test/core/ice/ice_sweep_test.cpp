@@ -4,7 +4,7 @@
 #include "ice/ice_rig.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace ice_sweep_test {
 
 using test::brick;
 using test::IceRig;
@@ -120,5 +120,5 @@ TYPED_TEST(IceSweepTest, FastBodiesInAClosedTankStayInsideAndFinite) {
   EXPECT_LT(rig.energy(), before);
 }
 
-}  // namespace
+}  // namespace ice_sweep_test
 }  // namespace ice_ice_baby

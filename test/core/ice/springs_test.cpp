@@ -7,7 +7,7 @@
 #include "fixtures.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace springs_test {
 
 using test::Cloud;
 
@@ -262,5 +262,5 @@ TEST(ElasticSpringTest, BreaksAboveItsStrainAndNotBelow) {
   EXPECT_TRUE(pair.springs.empty());
 }
 
-}  // namespace
+}  // namespace springs_test
 }  // namespace ice_ice_baby

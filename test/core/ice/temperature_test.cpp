@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace ice_ice_baby {
-namespace {
+namespace temperature_test {
 
 Scene sceneAt(double initial_c) {
   Scene scene;
@@ -89,5 +89,5 @@ TEST(TemperatureTest, SetCancelsTheSchedule) {
   EXPECT_EQ(temperature.celsius(), 30);
 }
 
-}  // namespace
+}  // namespace temperature_test
 }  // namespace ice_ice_baby

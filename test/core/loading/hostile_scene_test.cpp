@@ -14,7 +14,7 @@
 #include "loading/memory_need.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace hostile_scene_test {
 
 namespace fs = std::filesystem;
 using test::refusalOf;
@@ -207,5 +207,5 @@ TEST(MessageTest, ShowsControlCharactersAndWholeLetters) {
   EXPECT_EQ(nearest(std::string(1 << 20, 'x'), {"x"}), "");
 }
 
-}  // namespace
+}  // namespace hostile_scene_test
 }  // namespace ice_ice_baby

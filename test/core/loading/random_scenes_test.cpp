@@ -13,7 +13,7 @@
 #include "metrics/escape_meter.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace random_scenes_test {
 
 constexpr int kScenes = 150;
 constexpr int kFrames = 3;
@@ -205,5 +205,5 @@ TEST(RandomScenes, KeepEveryParticleOrAreRefused) {
   EXPECT_GT(ran, kScenes / 4) << "too few scenes are valid for the test to mean much";
 }
 
-}  // namespace
+}  // namespace random_scenes_test
 }  // namespace ice_ice_baby

@@ -11,7 +11,7 @@
 #include "ice_ice_baby/simulation.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace refusals_test {
 
 using namespace std::string_literals;
 
@@ -214,5 +214,5 @@ TEST(Refusals, AThreadCountOutOfRangeIsNamed) {
   }
 }
 
-}  // namespace
+}  // namespace refusals_test
 }  // namespace ice_ice_baby

@@ -14,7 +14,7 @@
 #include "metrics/escape_meter.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace scene_loader_test {
 
 namespace fs = std::filesystem;
 
@@ -302,5 +302,5 @@ INSTANTIATE_TEST_SUITE_P(Config, ShippedScene, testing::ValuesIn([] {
                            return path.parent_path().stem().string() + "_" + path.stem().string();
                          });
 
-}  // namespace
+}  // namespace scene_loader_test
 }  // namespace ice_ice_baby

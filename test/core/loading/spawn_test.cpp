@@ -5,7 +5,7 @@
 #include "simulation/simulator.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace spawn_test {
 
 using test::ball;
 using test::blockOf;
@@ -164,5 +164,5 @@ TEST(SpawnTest, RandomScenesAreRefusedOrStaySlow) {
   EXPECT_GT(run, 20);
 }
 
-}  // namespace
+}  // namespace spawn_test
 }  // namespace ice_ice_baby

@@ -5,7 +5,7 @@
 #include <limits>
 
 namespace ice_ice_baby {
-namespace {
+namespace kernels_test {
 
 template <class Kernel>
 class KernelTest : public testing::Test {
@@ -108,5 +108,5 @@ TEST(ParticleMassTest, GivenOrSuchThatTheLatticeHasRestDensity) {
   EXPECT_EQ(particleMass_kg(fluid, 0.05), 1.25);
 }
 
-}  // namespace
+}  // namespace kernels_test
 }  // namespace ice_ice_baby

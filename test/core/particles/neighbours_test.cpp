@@ -10,7 +10,7 @@
 #include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace neighbours_test {
 
 using test::Cloud;
 using test::randomPoints;
@@ -228,5 +228,5 @@ TYPED_TEST(NeighboursTest, ListsAreCompleteAfterTheNumberOfParticlesFalls) {
   }
 }
 
-}  // namespace
+}  // namespace neighbours_test
 }  // namespace ice_ice_baby

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace ice_ice_baby {
-namespace {
+namespace enthalpy_curve_test {
 
 /// From ice to steam in degrees Celsius, with both phase changes and their neighbours.
 const double kTemperatures[] = {-273.15, -40, -1e-9, 0, 1e-9, 4, 99.999, 100, 100.001, 1000};
@@ -78,5 +78,5 @@ TEST(EnthalpyCurveTest, StaysWithinTheTemperaturesThatASceneMayHave) {
   EXPECT_EQ(curve.clampToRange(1234.5), 1234.5);
 }
 
-}  // namespace
+}  // namespace enthalpy_curve_test
 }  // namespace ice_ice_baby

@@ -9,7 +9,7 @@
 #include "ice/springs.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace phases_test {
 
 constexpr double kAtOnce = std::numeric_limits<double>::infinity();
 
@@ -133,5 +133,5 @@ TEST_F(RowTest, SpringsJoinIceAndLabelItsBodies) {
   EXPECT_TRUE(springs.empty());
 }
 
-}  // namespace
+}  // namespace phases_test
 }  // namespace ice_ice_baby

@@ -13,7 +13,7 @@
 #include "scene/lattice.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace scene_test {
 
 std::string refusal(const Scene& scene) {
   return test::refusalOf([&] { makeSimulation(scene); });
@@ -211,5 +211,5 @@ TEST(ValidateTest, PaperConstantsWithTheSelfTermAreRefused) {
   EXPECT_NE(refusal(scene).find("lone particle"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace scene_test
 }  // namespace ice_ice_baby

@@ -11,7 +11,7 @@
 #include "simulation/stories.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace coming_and_going_test {
 
 using test::blockOf;
 using test::Story;
@@ -296,5 +296,5 @@ TEST(ComingAndGoing, NonsenseIsRefusedAndChangesNothing) {
   refused({zero, zero, zero}, {zero, zero, zero}, 20.0);  // the cube has 8 of at most 10
 }
 
-}  // namespace
+}  // namespace coming_and_going_test
 }  // namespace ice_ice_baby

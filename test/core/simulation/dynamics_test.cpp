@@ -10,7 +10,7 @@
 #include "unchecked.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace dynamics_test {
 
 using test::fullTank;
 using test::splash;
@@ -205,5 +205,5 @@ TEST(ExtremesTest, NothingBecomesNotFiniteOrEscapes) {
   survives("frozen at once", [](Scene& s) { s.temperature.initial_c = -273.15; });
 }
 
-}  // namespace
+}  // namespace dynamics_test
 }  // namespace ice_ice_baby

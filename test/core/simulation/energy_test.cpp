@@ -7,7 +7,7 @@
 #include "simulation/simulator.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace energy_test {
 
 double mechanical_j(const StepReport& r) { return r.kinetic_energy_j + r.potential_energy_j; }
 double total_j(const StepReport& r) { return mechanical_j(r) + r.elastic_energy_j; }
@@ -148,5 +148,5 @@ TEST(EnergyTest, CorrectionsThatAreCutAreCounted) {
   EXPECT_GT(cutIn(crushed), 1000u);
 }
 
-}  // namespace
+}  // namespace energy_test
 }  // namespace ice_ice_baby

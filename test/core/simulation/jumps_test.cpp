@@ -7,7 +7,7 @@
 #include "simulation/simulator.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace jumps_test {
 
 using test::ball;
 using test::blockOf;
@@ -204,5 +204,5 @@ TEST_F(JumpsTest, IceIsCarriedAlongAndDisplacedToo) {
   expectWhole(*simulation, particles_);
 }
 
-}  // namespace
+}  // namespace jumps_test
 }  // namespace ice_ice_baby

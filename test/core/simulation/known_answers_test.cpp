@@ -8,7 +8,7 @@
 #include "simulation/simulator.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace known_answers_test {
 
 Scene known(const std::string& name) {
   return loadScene(std::string(IIB_CONFIG) + "/scenes/verification/" + name + ".yaml");
@@ -43,5 +43,5 @@ TEST(KnownAnswersTest, NothingHoldsASpinningDiskTogether) {
   }
 }
 
-}  // namespace
+}  // namespace known_answers_test
 }  // namespace ice_ice_baby

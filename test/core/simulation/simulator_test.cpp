@@ -11,7 +11,7 @@
 #include "metrics/density_meter.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace simulator_test {
 
 using test::floatingCube;
 using test::fullTank;
@@ -323,5 +323,5 @@ TEST(SimulatorTest, PressureOfARestingPoolGrowsWithDepth) {
   EXPECT_NEAR(measured / expected, 1.0, 0.1);
 }
 
-}  // namespace
+}  // namespace simulator_test
 }  // namespace ice_ice_baby

@@ -11,7 +11,7 @@
 #include "ice_ice_baby/quality_warning.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace step_report_test {
 
 /// Bytes of a member, from the start of its struct.
 struct Span {
@@ -70,5 +70,5 @@ TEST(StepReportTest, ABrokenPromiseIsToldWithItsCure) {
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace step_report_test
 }  // namespace ice_ice_baby

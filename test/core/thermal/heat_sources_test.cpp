@@ -6,7 +6,7 @@
 #include "thermal/thermal_fixture.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace heat_sources_test {
 
 using test::StillHeat;
 using test::warmCube;
@@ -116,5 +116,5 @@ TEST(HeatSourcesTest, SteamCondensesAtTheRateOfItsSurface) {
               1e-3);
 }
 
-}  // namespace
+}  // namespace heat_sources_test
 }  // namespace ice_ice_baby

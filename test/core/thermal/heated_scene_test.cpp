@@ -8,7 +8,7 @@
 #include "unchecked.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace heated_scene_test {
 
 using test::iceInKettle;
 using test::kettle;
@@ -218,5 +218,5 @@ TEST(HeatedExtremesTest, NothingBecomesNotFiniteOrEscapes) {
   }
 }
 
-}  // namespace
+}  // namespace heated_scene_test
 }  // namespace ice_ice_baby

@@ -6,7 +6,7 @@
 #include "thermal/thermal_fixture.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace stefan_test {
 
 constexpr double kSpacing_m = 0.01;
 
@@ -96,5 +96,5 @@ TEST(StefanTest, WarmWaterSlowsTheFront) {
   }
 }
 
-}  // namespace
+}  // namespace stefan_test
 }  // namespace ice_ice_baby

@@ -6,7 +6,7 @@
 #include "thermal/thermal_fixture.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace thermal_boundaries_test {
 
 using test::StillHeat;
 
@@ -193,5 +193,5 @@ TEST(ThermalBoundariesTest, SteamCondensesOnAColdPlateThatItTouches) {
   EXPECT_NEAR(still.heat.heatIn_j() / (16 * 5000 * std::pow(kSpacing_m, 2) * -51), 1.0, 1e-9);
 }
 
-}  // namespace
+}  // namespace thermal_boundaries_test
 }  // namespace ice_ice_baby

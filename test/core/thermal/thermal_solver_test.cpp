@@ -8,7 +8,7 @@
 #include "thermal/thermal_fixture.h"
 
 namespace ice_ice_baby {
-namespace {
+namespace thermal_solver_test {
 
 using test::StillHeat;
 using test::warmCube;
@@ -222,5 +222,5 @@ TEST(ThermalTest, NoTimeAndNoSpeedupChangeNothing) {
   }
 }
 
-}  // namespace
+}  // namespace thermal_solver_test
 }  // namespace ice_ice_baby
