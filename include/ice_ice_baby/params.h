@@ -70,6 +70,7 @@ struct SolverParams {
   double frame_rate_hz = 60.0;
   Quality quality = Quality::kBalanced;
   double target_error = 0.0;
+  double budget = 0.0;
   int substeps = 0;
   int iterations = 2;
   double relaxation = 0.0;
@@ -88,16 +89,18 @@ void describe(SolverParams& p, Visitor&& visit) {
         "frames per simulated second; state is reported once a frame");
   visit("quality", p.quality,
         "mean density error that the solver keeps: 1 %, 0.2 % or 0.03 %, with 3, 5 or 10 substeps, "
-        "or "
-        "as many more as that takes; measured in doc/error_vs_runtime.md");
+        "or as many more as that takes; measured in doc/error_vs_runtime.md");
   visit("target_error", p.target_error, Range{0.0, 0.5},
         "mean density error to keep, as a fraction, with 2 to 64 substeps as it needs; 0: that of "
-        "the "
-        "quality");
+        "the quality");
+  visit("budget", p.budget, Range{0.0, 100.0},
+        "share of real time that frames may take: as many substeps as fit, down to an error of "
+        "0.03 %, "
+        "whatever the quality; such runs are not reproducible; 0: none");
   visit("substeps", p.substeps, Range{0, 1000},
-        "passes of Algorithm 1 per frame, whatever the error; with a target_error, in the first "
-        "frame "
-        "alone; 0: set by quality");
+        "passes of Algorithm 1 per frame, whatever the error; with a target_error or a budget, in "
+        "the "
+        "first frame alone; 0: set by quality");
   visit("iterations", p.iterations, Range{0, 1000},
         "solver iterations per substep; 0: particles move ballistically");
   visit("relaxation", p.relaxation, Range{0.0, 1.0},

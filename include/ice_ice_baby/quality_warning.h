@@ -8,7 +8,7 @@
 namespace ice_ice_baby {
 
 /// What a user should know and do if the mean density error of the run is larger than the scene
-/// promises; empty if it is not.
+/// promises, or frames take longer than solver.budget; empty otherwise.
 std::string qualityWarning(const StepReport& report);
 
 }  // namespace ice_ice_baby

@@ -74,15 +74,18 @@ struct Scene : ColliderLists {
   /// Substeps per frame in force; those of the first frame if their number is adapted.
   int substeps() const;
   /// Substeps per frame that an adapted number never falls below: 3, 5 or 10 by quality,
-  /// kMinSubsteps with a target error.
+  /// kMinSubsteps with a target error or a budget.
   int fewestSubsteps() const;
   /// Substeps per frame in which gravity moves water by at most 0.008 spacings each; at most
   /// kMaxSubsteps.
   int substepsForFall() const;
-  /// Mean density error that the scene asks for, as a fraction; 0 with the preset of the paper.
+  /// Mean density error that the scene asks for, as a fraction; 0 with the preset of the paper or a
+  /// solver.budget.
   double promisedError() const;
-  /// Whether the number of substeps follows the error.
-  bool adaptsSubsteps() const { return solver.target_error > 0.0 || solver.substeps == 0; }
+  /// Whether the number of substeps follows the error or the time that frames take.
+  bool adaptsSubsteps() const {
+    return solver.target_error > 0.0 || solver.budget > 0.0 || solver.substeps == 0;
+  }
   /// Whether a block starts as ice: in a thermal scene, below the freezing point.
   bool startsFrozen(const Block& block) const;
   /// Lattice spacing of a block, m; that of ice if it starts frozen.

@@ -30,7 +30,8 @@ void describeReproducible(Visitor&& visit, Records&... r) {
   visit("density_error_run", r.density_error_run..., "mean of density_error_mean over all frames");
   visit("promised_error", r.promised_error...,
         "density_error_run that solver.quality or solver.target_error asks for; 0: none");
-  visit("quality_met", r.quality_met..., "whether density_error_run is as small as promised");
+  visit("quality_met", r.quality_met...,
+        "whether density_error_run is as small as promised, or frames fit in solver.budget");
   visit("kinetic_energy_j", r.kinetic_energy_j..., "of all particles");
   visit("potential_energy_j", r.potential_energy_j..., "against gravity, 0 at the origin");
   visit("elastic_energy_j", r.elastic_energy_j...,

@@ -125,6 +125,23 @@ def deep_column(run):
     return [pressure_error(end), *still(end, 1.0), energy_rise(end)]
 
 
+@case()
+def deepest_column(run):
+    """160 layers of small particles rest as accurately as twenty"""
+    end = run("deepest_column")
+    return [pressure_error(end), *still(end, 1.0), energy_rise(end)]
+
+
+@case()
+def large_dam(run):
+    """a dam of 51,200 particles keeps the error that is promised"""
+    end = run("large_dam")
+    return [
+        at_most("mean density error", percent(end.series["density_error_mean"].mean()), 0.2, "%"),
+        energy_rise(end),
+    ]
+
+
 def minute_at_rest(end):
     height, time = end.series["mean_z_m"], end.series["time_s"]
     energy = end.series["total_energy_j"]

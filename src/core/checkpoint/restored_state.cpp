@@ -194,13 +194,17 @@ void PhaseChange<Real>::restore(const Particles<Real>& particles) {
   contacts_->restore(*bodies_);
 }
 
+void SubstepControl::restore() const {
+  requireValid(within(substeps_, 1, 1000) && within(fewest_, 1, 1000),
+               "number of substeps out of range");
+}
+
 template <class Real>
 void Simulator<Real>::restore(std::size_t n) {
   particles_.restore(n);
   fluid_->restore(n);
   colliders_.restore();
-  requireValid(within(substeps_, 1, 1000) && within(fewest_substeps_, 1, 1000),
-               "number of substeps out of range");
+  substep_control_.restore();
   requireValid(within(strictness_, 0.0, 1.0), "strictness out of range");
   requireValid(still_s_ >= 0.0 && report_.time_s >= 0.0 && within(report_.substeps, 0, 1000),
                "time out of range");

@@ -39,7 +39,7 @@ void Simulator<Real>::exchange(Self& self, Archive& archive) {
   NoPhaseChange none;
   if (self.phase_change_) archive(*self.phase_change_);
   if (!self.phase_change_) archive(none);
-  archive(self.substeps_, self.fewest_substeps_, self.strictness_);
+  archive(self.substep_control_, self.strictness_);
   if (self.phase_change_) PhaseChange<Real>::exchangeTimes(*self.phase_change_, archive);
   if (!self.phase_change_) NoPhaseChange::exchangeTimes(none, archive);
   none.restore();

@@ -109,6 +109,13 @@ void requireSweeps(const Scene& scene) {
                      std::to_string(kMaxSweeps) + "]; lower one of them");
 }
 
+void requireOneGoal(const Scene& scene) {
+  if (scene.solver.budget == 0.0 || scene.solver.target_error == 0.0) return;
+  throw InvalidInput("solver.budget = " + numberText(scene.solver.budget) +
+                     " and solver.target_error = " + numberText(scene.solver.target_error) +
+                     " ask for different numbers of substeps; set one of them to 0");
+}
+
 void requireBlock(const Scene& scene, const Block& block, const std::string& name) {
   if (block.sheet && block.shape != BlockShape::kBox) {
     throw InvalidInput(name +
@@ -157,6 +164,7 @@ void validate(const Scene& scene) {
   requireThermal(scene);
   requireNames(scene);
   requireSweeps(scene);
+  requireOneGoal(scene);
   requireBlocks(scene);
   requireFluid(scene);
   requireFreeSpawn(scene);

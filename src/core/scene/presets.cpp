@@ -24,6 +24,7 @@ void applyPreset(Scene& scene, Preset preset, double spacing_m) {
   fluid.boundary_density = false;
   SolverParams& solver = scene.solver;
   solver.target_error = 0.0;
+  solver.budget = 0.0;
   solver.substeps = 8;
   solver.iterations = 4;
   solver.relaxation = 1.0;

@@ -37,7 +37,7 @@ double Scene::spacing_m(const Block& block) const {
 }
 
 int Scene::fewestSubsteps() const {
-  if (solver.target_error > 0.0) return kMinSubsteps;
+  if (solver.target_error > 0.0 || solver.budget > 0.0) return kMinSubsteps;
   switch (solver.quality) {
     case Quality::kFast:
       return 3;
@@ -63,7 +63,7 @@ int Scene::substeps() const {
 
 double Scene::promisedError() const {
   if (solver.target_error > 0.0) return solver.target_error;
-  if (preset == Preset::kPaper) return 0.0;
+  if (preset == Preset::kPaper || solver.budget > 0.0) return 0.0;
   switch (solver.quality) {
     case Quality::kFast:
       return 0.01;

@@ -18,6 +18,13 @@ std::string percentText(double fraction) {
 
 std::string qualityWarning(const StepReport& report) {
   if (report.quality_met) return {};
+  if (report.promised_error == 0.0) {
+    return "frames take more time than solver.budget allows with " +
+           std::to_string(report.substeps) +
+           " substeps, which water needs to be stable; use a larger spacing, more threads or a "
+           "larger "
+           "budget";
+  }
   const std::string cure =
       report.substeps >= kMaxSubsteps
           ? std::to_string(report.substeps) +

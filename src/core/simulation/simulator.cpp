@@ -20,6 +20,12 @@ namespace {
 /// particle has moved half of it.
 constexpr double kSkin = 0.3;
 
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 const int kAllThreads = tbb::this_task_arena::max_concurrency();
 
 /// Unit vector that depends on the id alone, evenly distributed on the sphere (golden angle
@@ -44,11 +50,10 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
       colliders_(scene, scene.fluid.spacing_m / 2),
       neighbours_(static_cast<Real>(scene.supportRadius_m()),
                   static_cast<Real>(kSkin * scene.fluid.spacing_m)),
-      substeps_(scene.substeps()),
-      fewest_substeps_(scene.fewestSubsteps()) {
+      substep_control_(scene) {
   // scene() returns the values in force
   if (scene.adaptsSubsteps()) scene_.solver.target_error = scene.promisedError();
-  scene_.solver.substeps = substeps_;
+  scene_.solver.substeps = scene.substeps();
   scene_.solver.relaxation = scene.relaxation();
   if (scene.thermal.enabled) {
     phase_change_.emplace(scene_, spawns_, colliders_, springs_);
@@ -69,13 +74,13 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
 
 template <class Real>
 const StepReport& Simulator<Real>::advanceFrame() {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   ++report_.frame;
   report_.time_s = double(report_.frame) / scene_.solver.frame_rate_hz;
   report_.speed_limited = 0;
   report_.correction_limited = 0;
   updateTemperature(report_.time_s);
-  report_.substeps = report_.asleep ? 0 : substeps_;
+  report_.substeps = report_.asleep ? 0 : substep_control_.substeps();
   if (!report_.asleep) {
     arena_.execute([&] {
       runSubsteps();
@@ -85,11 +90,10 @@ const StepReport& Simulator<Real>::advanceFrame() {
       report_clock_.run([&] { updateReport(); });
       judgeQuality();
       updateSleep();
-      followTargetError();
+      chooseSubsteps(secondsSince(start));
     });
   }
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  report_.frame_wall_s = wall.count();
+  report_.frame_wall_s = secondsSince(start);
   return report_;
 }
 
@@ -98,8 +102,9 @@ void Simulator<Real>::judgeQuality() {
   const double weight = 1.0 / double(report_.frame);
   report_.density_error_run += weight * (report_.density_error_mean - report_.density_error_run);
   report_.promised_error = scene_.promisedError();
-  report_.quality_met =
-      report_.promised_error == 0.0 || report_.density_error_run <= report_.promised_error;
+  report_.quality_met = report_.promised_error == 0.0
+                            ? substep_control_.withinBudget(scene_)
+                            : report_.density_error_run <= report_.promised_error;
 }
 
 template <class Real>
@@ -108,9 +113,10 @@ void Simulator<Real>::runSubsteps() {
   const std::uint64_t limited_before = bodiesLimited();
   const std::uint64_t cut_before = fluid_->correctionsLimited();
   if (colliders_moving_) jumpColliders();
-  for (int k = 0; k < substeps_; ++k) {
-    if (colliders_moving_) colliders_.setSubstep(double(k) / substeps_, double(k + 1) / substeps_);
-    substep(1.0 / (scene_.solver.frame_rate_hz * substeps_));
+  const int substeps = report_.substeps;
+  for (int k = 0; k < substeps; ++k) {
+    if (colliders_moving_) colliders_.setSubstep(double(k) / substeps, double(k + 1) / substeps);
+    substep(1.0 / (scene_.solver.frame_rate_hz * substeps));
   }
   report_.speed_limited += bodiesLimited() - limited_before;
   report_.correction_limited = fluid_->correctionsLimited() - cut_before;

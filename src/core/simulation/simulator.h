@@ -18,6 +18,7 @@
 #include "particles/neighbours.h"
 #include "particles/particles.h"
 #include "simulation/phase_change.h"
+#include "simulation/substep_control.h"
 
 namespace ice_ice_baby {
 
@@ -100,7 +101,7 @@ class Simulator final : public Simulation {
   void updateTemperature(double time_s);
   void updateReport();
   double elasticEnergy_j() const;
-  void followTargetError();
+  void chooseSubsteps(double frame_wall_s);
   void updateSleep();
   void wake();
   void joinSheets();
@@ -145,8 +146,7 @@ class Simulator final : public Simulation {
   StageClock report_clock_{"report"};
 
   StepReport report_;
-  int substeps_;         ///< of the frame that comes next
-  int fewest_substeps_;  ///< that the error may bring it down to
+  SubstepControl substep_control_;
   double strictness_ = 0.0;
   double still_s_ = 0.0;  ///< how long frozen water has been below the sleep speed
   bool colliders_moving_ = false;

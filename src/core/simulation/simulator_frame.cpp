@@ -1,6 +1,5 @@
 // The part of a frame outside the substeps of Algorithm 1.
 #include <algorithm>
-#include <cmath>
 
 #include "simulation/collider_jumps.h"
 #include "simulation/simulator.h"
@@ -8,14 +7,6 @@
 namespace ice_ice_baby {
 
 namespace {
-
-/// Share of the promised error of a quality from which on it is followed, in the mean over the run
-/// or, before that is over, over the first frames.
-constexpr double kWatched = 0.6, kFirstFrames = 60.0;
-/// In a substep water moves at most this far, in spacings: twice its root mean square speed.
-constexpr double kMaxStep_d = 1.0;
-/// The same for water under pressure, over the square root of the promised error: 0.2 at 0.2 %.
-constexpr double kPressedStep_d = 4.47;
 
 /// Compressed water is relaxed with at most this many corrections, or until the largest density is
 /// within this fraction of rest density.
@@ -67,37 +58,13 @@ void Simulator<Real>::updateSleep() {
   updateReport();
 }
 
-/// Keeps the error, and the distance that water moves, below bounds. The error is proportional to
-/// the square of the substep. More substeps make water stiffer, which adds energy if it is
-/// compressed at that moment. So with a quality their number rises one by one with the speed of
-/// water under pressure, before it is compressed, and follows the error only while that of the run
-/// comes near the promise. It falls by one per frame at most, so that a calm frame does not leave
-/// too few for the next one.
 template <class Real>
-void Simulator<Real>::followTargetError() {
-  const double target = scene_.solver.target_error;
-  if (target == 0.0 || report_.asleep || springsCorrect()) return;
-  const double d_m = scene_.fluid.spacing_m, rate_1_s = scene_.solver.frame_rate_hz;
-  const double for_error = substeps_ * std::sqrt(report_.density_error_mean / target);
-  const double step_d = 2.0 * report_.rms_speed_m_s / (rate_1_s * d_m);
-  const bool own_target = fewest_substeps_ == kMinSubsteps;
-  const double frames = double(report_.frame);
-  const double run_error = report_.density_error_run * frames / std::max(frames, kFirstFrames);
-  double wanted = scene_.substepsForFall();
-  if (own_target) {
-    wanted = std::max({wanted, for_error, step_d / kMaxStep_d});
-  } else {
-    const double for_speed =
-        std::min(step_d / (kPressedStep_d * std::sqrt(target)), for_error / std::sqrt(kWatched));
-    wanted = std::max(wanted, std::min(for_speed, substeps_ + 1.0));
-    if (run_error > kWatched * target) wanted = std::max(wanted, for_error);
-  }
-  const double fewest = std::max(fewest_substeps_, substeps_ - 1);
-  const double max = std::min<double>(kMaxSubsteps, 2 * substeps_);
-  const int next = static_cast<int>(std::clamp(std::ceil(wanted), std::min(fewest, max), max));
-  if (next == substeps_) return;
-  fluid_->rescale(double(substeps_) / next);
-  substeps_ = next;
+void Simulator<Real>::chooseSubsteps(double frame_wall_s) {
+  if (!scene_.adaptsSubsteps() || report_.asleep || springsCorrect()) return;
+  const int before = substep_control_.substeps();
+  substep_control_.follow(scene_, report_, frame_wall_s);
+  const int next = substep_control_.substeps();
+  if (next != before) fluid_->rescale(double(before) / next);
 }
 
 template <class Real>

@@ -35,7 +35,7 @@ void Simulator<Real>::updateReport() {
 /// with and without it.
 template <class Real>
 double Simulator<Real>::elasticEnergy_j() const {
-  const double substeps_1_s = scene_.solver.frame_rate_hz * substeps_;
+  const double substeps_1_s = scene_.solver.frame_rate_hz * substep_control_.substeps();
   const double energy_j = fluid_->elasticEnergy_j(substeps_1_s);
   if (!springsCorrect()) return energy_j;
   return energy_j + springs_->elasticEnergy_j(particles_.position, 1.0 / substeps_1_s);
@@ -47,7 +47,7 @@ void Simulator<Real>::sample(std::vector<ParticleSample>& out, std::size_t strid
   const std::size_t n = places.size();
   stride = std::max<std::size_t>(stride, 1);
   out.resize((n + stride - 1) / stride);
-  const double substeps_1_s = scene_.solver.frame_rate_hz * substeps_;
+  const double substeps_1_s = scene_.solver.frame_rate_hz * substep_control_.substeps();
   const ThermalSolver<Real>* heat = phase_change_ ? &phase_change_->heat() : nullptr;
   const auto& x = particles_.position;
   const auto& v = particles_.velocity;
