@@ -21,13 +21,13 @@ void ProgressBar::show(std::size_t done, const std::string& note) {
   if (!terminal_ || total_ == 0) return;
   if (now - shown_ < std::chrono::milliseconds(100) && done != total_) return;
   shown_ = now;
-  constexpr std::size_t kWidth = 30;
-  const std::size_t filled = kWidth * done / total_;
+  constexpr std::size_t kBarWidth = 30;
+  const std::size_t filled = kBarWidth * done / total_;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double left = done > 0 ? elapsed * double(total_ - done) / double(done) : 0.0;
   std::fprintf(stderr, "\r\033[K%s %3zu%%|%s%s| %zu/%zu [%.0fs<%.0fs] %s", title_.c_str(),
                100 * done / total_, std::string(filled, '#').c_str(),
-               std::string(kWidth - filled, ' ').c_str(), done, total_, elapsed, left,
+               std::string(kBarWidth - filled, ' ').c_str(), done, total_, elapsed, left,
                note.c_str());
   std::fflush(stderr);
 }
