@@ -42,6 +42,12 @@ struct HeatedRegion {
   }
 };
 
+/// A collider, by its name in the scene, and a pose for it.
+struct ColliderPlacement {
+  std::string name;
+  Posed pose;
+};
+
 /// A run of Algorithm 1 for one scene. Not thread safe.
 class Simulation {
  public:
@@ -72,6 +78,11 @@ class Simulation {
   /// Moves a collider to a pose over the next frame; `name` is its name in the scene.
   /// @throws InvalidInput for an unknown name or a pose that is not finite or too far
   virtual void moveCollider(const std::string& name, const Posed& pose) = 0;
+
+  /// Places colliders at once, all together, without motion: their contents go along and keep their
+  /// velocity relative to them, and water where they arrive is moved out of them.
+  /// @throws InvalidInput as moveCollider; nothing has changed then
+  virtual void placeColliders(const std::vector<ColliderPlacement>& placements) = 0;
 
   /// Pose of a collider now. @throws InvalidInput for an unknown name
   virtual Posed colliderPose(const std::string& name) const = 0;

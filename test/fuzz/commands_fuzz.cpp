@@ -80,6 +80,9 @@ void run(Simulation& simulation, const std::string& line) {
   } else if (verb == "move") {
     const std::string collider = words.text();
     simulation.moveCollider(collider, readPose(words));
+  } else if (verb == "place") {
+    const std::string collider = words.text();
+    simulation.placeColliders({{collider, readPose(words)}});
   } else if (verb == "frame") {
     simulation.advanceFrame();
   }

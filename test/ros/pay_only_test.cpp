@@ -30,6 +30,10 @@ class Watched final : public Simulation {
     ++moves;
     real_->moveCollider(name, pose);
   }
+  void placeColliders(const std::vector<ColliderPlacement>& placements) override {
+    ++moves;
+    real_->placeColliders(placements);
+  }
   Posed colliderPose(const std::string& name) const override {
     ++poses;
     return real_->colliderPose(name);

@@ -87,6 +87,16 @@ void Colliders<Real>::moveTo(const std::string& name, const Posed& pose) {
 }
 
 template <class Real>
+Jump<Real> Colliders<Real>::place(const std::string& name, const Posed& pose) {
+  Travel& travel = const_cast<Travel&>(this->travel(name));
+  const std::size_t number = static_cast<std::size_t>(&travel - travels_.data());
+  const Jump<Real> jump{number, {travel.start.template cast<Real>(), pose.cast<Real>()}};
+  travel.start = travel.target = pose;
+  all_[number].motion = standing<Real>(pose);
+  return jump;
+}
+
+template <class Real>
 std::vector<Jump<Real>> Colliders<Real>::jump(double max_m, double reach_m) {
   std::vector<Jump<Real>> jumps;
   for (std::size_t k = 0; k < travels_.size(); ++k) {

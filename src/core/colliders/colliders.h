@@ -62,6 +62,9 @@ class Colliders {
 
   /// Moves a collider to a pose over the next frame. @throws InvalidInput for an unknown name
   void moveTo(const std::string& name, const Posed& pose);
+  /// Puts a collider at a pose at once; a motion over the next frame is dropped.
+  /// @throws InvalidInput for an unknown name
+  Jump<Real> place(const std::string& name, const Posed& pose);
   /// Colliders with a point that would move farther than `max_m` in the frame do not sweep: they
   /// jump to their target pose before the frame starts.
   /// @param reach_m distance from the origin up to which an infinite collider matters

@@ -36,6 +36,7 @@ class Simulator final : public Simulation {
   void heatRegion(const HeatedRegion& region) override;
   void setGravity(const Vec3d& gravity_m_s2) override;
   void moveCollider(const std::string& name, const Posed& pose) override;
+  void placeColliders(const std::vector<ColliderPlacement>& placements) override;
   Posed colliderPose(const std::string& name) const override { return colliders_.pose(name); }
   void sample(std::vector<ParticleSample>& out, std::size_t stride) const override;
   void sampleSprings(std::vector<SpringSample>& out, std::size_t limit) const override;
@@ -94,7 +95,9 @@ class Simulator final : public Simulation {
   void updatePredicted();
   void finishCollisions();
   void updateVelocityAndPosition(Real dt);
+  void requirePlacement(const std::string& name, const Posed& pose) const;
   void jumpColliders();
+  std::size_t carryAlong(const std::vector<Jump<Real>>& jumps);
   void expelWater();
   void makeRoom();
   void applyViscosity(double dt_s);

@@ -47,8 +47,8 @@ void Simulator<Real>::setGravity(const Vec3d& gravity_m_s2) {
 }
 
 template <class Real>
-void Simulator<Real>::moveCollider(const std::string& name, const Posed& pose) {
-  const Posed now = colliders_.pose(name);
+void Simulator<Real>::requirePlacement(const std::string& name, const Posed& pose) const {
+  colliders_.pose(name);  // throws for an unknown name
   for (int axis = 0; axis < 3; ++axis) {
     requireInRange("position of collider " + name, pose.position[axis], kCoordinateRange_m.min,
                    kCoordinateRange_m.max);
@@ -58,10 +58,30 @@ void Simulator<Real>::moveCollider(const std::string& name, const Posed& pose) {
   if (!rotation.allFinite() || !rotation.isUnitary(1e-6) || rotation.determinant() < 0.0) {
     throw InvalidInput("rotation of collider " + name + " must be a unit quaternion");
   }
+}
+
+template <class Real>
+void Simulator<Real>::moveCollider(const std::string& name, const Posed& pose) {
+  requirePlacement(name, pose);
+  const Posed now = colliders_.pose(name);
   const bool there = still(now.position, pose.position) && now.rotation == pose.rotation;
   if (there && !colliders_moving_) return;
   colliders_.moveTo(name, pose);
   colliders_moving_ = true;
+  wake();
+}
+
+template <class Real>
+void Simulator<Real>::placeColliders(const std::vector<ColliderPlacement>& placements) {
+  for (const auto& [name, pose] : placements) requirePlacement(name, pose);
+  std::vector<Jump<Real>> jumps;
+  for (const auto& [name, pose] : placements) {
+    const Posed now = colliders_.pose(name);
+    if (still(now.position, pose.position) && now.rotation == pose.rotation) continue;
+    jumps.push_back(colliders_.place(name, pose));
+  }
+  if (jumps.empty()) return;
+  arena_.execute([&] { carryAlong(jumps); });
   wake();
 }
 

@@ -71,11 +71,18 @@ template <class Real>
 void Simulator<Real>::jumpColliders() {
   const double max_m = scene_.solver.max_speed_m_s / scene_.solver.frame_rate_hz;
   const std::vector<Jump<Real>> jumps = jumpFastColliders(colliders_, particles_, max_m);
-  if (jumps.empty()) return;
-  report_.speed_limited += carry(jumps, colliders_, bodies(), particles_);
+  if (!jumps.empty()) report_.speed_limited += carryAlong(jumps);
+}
+
+/// Moves the contents of colliders that jumped along, and water out of the way of them.
+/// @returns number of particles carried
+template <class Real>
+std::size_t Simulator<Real>::carryAlong(const std::vector<Jump<Real>>& jumps) {
+  const std::size_t carried = carry(jumps, colliders_, bodies(), particles_);
   if (phase_change_) phase_change_->jump(jumps, particles_);
   fluid_->forget();
   expelWater();
+  return carried;
 }
 
 template <class Real>

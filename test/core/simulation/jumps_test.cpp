@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fixtures.h"
+#include "ice_ice_baby/errors.h"
 #include "metrics/escape_meter.h"
 #include "simulation/simulator.h"
 
@@ -93,6 +94,48 @@ TEST_F(JumpsTest, ATankThatJumpsTakesItsWaterAlongAsItIs) {
   EXPECT_LT(fastest(*simulation, 10), before + 0.3);
   expectWhole(*simulation, particles_);
   EXPECT_EQ(simulation->report().speed_limited, 0u);
+}
+
+TEST_F(JumpsTest, ATankThatIsPlacedTakesItsWaterAlongHoweverNear) {
+  for (const double distance_m : {0.004, 0.3, 5.0}) {
+    const auto simulation = rested(pool());
+    const double before = simulation->report().max_speed_m_s;
+    const std::vector<ParticleSample> was = samplesOf(*simulation);
+    const Posed there = posed({distance_m, 0, 0.1}, {0, 0, 30});
+    simulation->placeColliders({{"tank", there}});
+    EXPECT_EQ(simulation->colliderPose("tank").position, there.position) << "at once";
+    const std::vector<ParticleSample> is = samplesOf(*simulation);
+    for (std::size_t k = 0; k < was.size(); ++k) {
+      ASSERT_LT((there.toLocal(at(is[k])) - at(was[k])).norm(), 1e-5);
+    }
+    EXPECT_LT(fastest(*simulation, 10), before + 0.1) << distance_m;
+    expectWhole(*simulation, particles_);
+    EXPECT_EQ(simulation->report().speed_limited, 0u);
+  }
+}
+
+TEST_F(JumpsTest, APlacementThatIsRefusedPlacesNoneOfThem) {
+  Scene scene = pool();
+  scene.spheres.push_back(ball({0, 0, 5}, 0.12));
+  const auto simulation = rested(scene);
+  const std::uint64_t before = simulation->stateHash();
+  EXPECT_THROW(simulation->placeColliders({{"tank", posed({1, 0, 0})}, {"bowl", Posed()}}),
+               InvalidInput);
+  EXPECT_THROW(
+      simulation->placeColliders({{"tank", posed({1, 0, 0})}, {"ball", posed({1e9, 0, 0})}}),
+      InvalidInput);
+  EXPECT_EQ(simulation->stateHash(), before);
+}
+
+TEST_F(JumpsTest, TanksThatArePlacedTogetherChangeTheirWater) {
+  Scene scene = pool();
+  scene.containers.push_back(test::tankOf({1, 0.8, 0.8}, true, "other"));
+  scene.containers[1].position_m = {3, 0, 0};
+  const auto simulation = rested(scene);
+  simulation->placeColliders({{"tank", posed({3, 0, 0})}, {"other", posed({0, 0, 0})}});
+  simulation->advanceFrame();
+  expectWhole(*simulation, particles_);
+  for (const ParticleSample& s : samplesOf(*simulation)) EXPECT_NEAR(s.x, 3.0, 0.5) << s.id;
 }
 
 TEST_F(JumpsTest, TwoTanksThatChangePlacesChangeTheirWater) {
