@@ -5,11 +5,14 @@
 #include <ros/this_node.h>
 #include <rosgraph_msgs/Clock.h>
 
+#include <algorithm>
+
 namespace ice_ice_baby {
 
 namespace {
 
 constexpr const char* kClock = "/clock";
+constexpr std::chrono::milliseconds kRepeat{40};
 
 /// Name of a node other than this one that publishes /clock, or "".
 std::string otherClock() {
@@ -47,17 +50,51 @@ ClockPublisher::ClockPublisher(ros::NodeHandle& node, bool wanted)
   }
 }
 
+/// With the mutex held.
+bool ClockPublisher::simulates() const {
+  return wanted_ && ros::Time::isSimTime() && conflict_.empty();
+}
+
 ros::Time ClockPublisher::stamp() const {
-  if (!wanted_ || !ros::Time::isSimTime()) return ros::Time::now();
   const std::lock_guard<std::mutex> lock(mutex_);
-  return conflict_.empty() ? now_ : ros::Time::now();
+  return simulates() ? now_ : ros::Time::now();
+}
+
+ros::Time ClockPublisher::frameStamp(const FrameBegin& frame, bool announced) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (simulates()) {
+      const ros::Time end = start_ + ros::Duration(frame.end_s);
+      if (announced && end > now_) {
+        now_ = end;
+        publish(true);
+      }
+      return end;
+    }
+  }
+  const ros::Time now = ros::Time::now();
+  if (origin_.isZero()) origin_ = now;
+  if (frame.stepped) {
+    stamps_.restart();
+    return now;
+  }
+  return origin_ + ros::Duration(stamps_.next((now - origin_).toSec() - frame.late_s));
 }
 
 void ClockPublisher::tick(double simulated_s) {
   if (!wanted_) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  now_ = start_ + ros::Duration(simulated_s);
-  if (!publisher_ || !gate_.pass(WallClock::now(), false)) return;
+  // A frame that was announced and failed does not turn the clock back.
+  now_ = std::max(now_, start_ + ros::Duration(simulated_s));
+  publish(false);
+}
+
+void ClockPublisher::publish(bool urgent) {
+  const WallClock::time_point now = WallClock::now();
+  // A time that stands still is repeated for nodes that come later, but not right away.
+  if (now_ == published_ && now - gate_.latest() < kRepeat) return;
+  if (!publisher_ || !gate_.pass(now, urgent)) return;
+  published_ = now_;
   rosgraph_msgs::Clock message;
   message.clock = now_;
   publisher_.publish(message);

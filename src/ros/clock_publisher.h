@@ -5,7 +5,9 @@
 
 #include <mutex>
 
+#include "frame_stamps.h"
 #include "pacing.h"
+#include "simulation_thread.h"
 
 namespace ice_ice_baby {
 
@@ -20,6 +22,11 @@ class ClockPublisher {
   /// Stamp for messages published now.
   ros::Time stamp() const;
 
+  /// Stamp of a frame that begins: the time at which colliders that follow tf are at its end. With
+  /// simulated time of this node, that of its end; otherwise when it was due, made regular.
+  /// @param announced whether to publish it on /clock at once, so that robots move on to it
+  ros::Time frameStamp(const FrameBegin& frame, bool announced);
+
   /// Publishes at most 100 times a second. @param simulated_s since the node started
   void tick(double simulated_s);
 
@@ -32,13 +39,19 @@ class ClockPublisher {
   std::string conflict() const;
 
  private:
+  bool simulates() const;
+  void publish(bool urgent);
+
   const bool wanted_;
   const ros::Time start_;
+  FrameStamps stamps_;  ///< simulation's thread, with the next one
+  ros::Time origin_;    ///< of stamps_
   RateGate gate_{100.0};
 
   mutable std::mutex mutex_;  ///< guards what follows
   ros::Publisher publisher_;
   ros::Time now_;
+  ros::Time published_;
   std::string conflict_;
 };
 

@@ -1,5 +1,7 @@
 #include "diagnostics.h"
 
+#include <cmath>
+
 #include "heat_status.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/quality_warning.h"
@@ -32,6 +34,7 @@ Diagnostics::Diagnostics(ros::NodeHandle& node, ros::NodeHandle& node_private,
   updater_.add("real time", this, &Diagnostics::speed);
   updater_.add("topics", this, &Diagnostics::topics);
   updater_.add("followed frames", this, &Diagnostics::followers);
+  updater_.add("frames", this, &Diagnostics::frames);
   updater_.add("checkpoints", this, &Diagnostics::checkpoints);
   if (of_.clock.wanted() || ros::Time::isSimTime())
     updater_.add("clock", this, &Diagnostics::clock);
@@ -90,6 +93,7 @@ void Diagnostics::speed(Status& status) {
   } else {
     status.summary(Level::OK, now.paused ? "paused" : "on time");
   }
+  addRobot(status, now);
   status.add("real-time factor", now.real_time_factor);
   status.add("real-time factor requested", wanted_factor_);
   status.add("frame [ms]", 1e3 * now.report.frame_wall_s);
@@ -97,6 +101,23 @@ void Diagnostics::speed(Status& status) {
     const double frames = now.report.frame > 0 ? double(now.report.frame) : 1.0;
     status.add(stage.name + " [ms per frame]", 1e3 * stage.time_s / frames);
   }
+}
+
+/// A robot in real time does not wait for slow water.
+void Diagnostics::addRobot(Status& status, const Snapshot& now) {
+  const bool fast = now.real_time_factor < kKeepsUp && !now.paused && now.report.frame > 60;
+  const bool robot = !ros::Time::isSimTime() && !of_.frames.followers().report().frames.empty();
+  if (!fast || !robot) {
+    robot_warned_ = false;
+    return;
+  }
+  const std::string warning =
+      "a robot on tf is " + numberText(std::round(10.0 / now.real_time_factor) / 10.0) +
+      " times as fast for the water, which spills; use fewer particles or more threads, move the "
+      "robot more slowly, or run it in simulated time with ~publish_clock";
+  status.mergeSummary(Level::WARN, warning);
+  if (!robot_warned_) ROS_WARN("Slower than real time: %s", warning.c_str());
+  robot_warned_ = true;
 }
 
 void Diagnostics::topics(Status& status) {
@@ -109,13 +130,31 @@ void Diagnostics::topics(Status& status) {
 }
 
 void Diagnostics::followers(Status& status) {
-  const std::vector<std::string> lost = of_.frames.lost();
+  const std::vector<std::string> lost = of_.frames.followers().lost();
+  const Followers::Report now = of_.frames.followers().report();
   status.summary(Level::OK, "none missing");
-  const Frames::Jumps jumps = of_.frames.jumps();
-  if (jumps.count > jumps_) status.summary(Level::WARN, jumps.latest);
-  jumps_ = jumps.count;
+  const auto tell = [&](const Followers::Count& what, std::uint64_t& told) {
+    if (what.count > told) status.mergeSummary(Level::WARN, what.latest);
+    told = what.count;
+  };
+  tell(now.jumps, jumps_);
+  tell(now.bounded, bounded_);
+  tell(now.waits, waits_);
   if (!lost.empty()) status.mergeSummary(Level::WARN, joined(lost));
-  status.add("jumps since the start", jumps.count);
+  status.add("jumps since the start", now.jumps.count);
+  status.add("frames bounded since the start", now.bounded.count);
+  status.add("frames that waited in vain since the start", now.waits.count);
+  for (const Followers::Report::Frame& frame : now.frames) {
+    status.add(frame.collider + " age [s]", frame.age_s);
+    status.add(frame.collider + " rate [Hz]", frame.rate_hz);
+    status.add(frame.collider + " delay [s]", frame.delay_s);
+  }
+}
+
+void Diagnostics::frames(Status& status) {
+  const std::string clash = of_.frames.clash();
+  status.summary(clash.empty() ? Level::OK : Level::WARN,
+                 clash.empty() ? "no other node sends a frame of this one" : clash);
 }
 
 void Diagnostics::clock(Status& status) {

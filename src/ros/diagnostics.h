@@ -32,8 +32,10 @@ class Diagnostics {
 
   void solver(Status& status);
   void speed(Status& status);
+  void addRobot(Status& status, const Snapshot& now);
   void topics(Status& status);
   void followers(Status& status);
+  void frames(Status& status);
   void clock(Status& status);
   void checkpoints(Status& status);
 
@@ -44,6 +46,9 @@ class Diagnostics {
   std::uint64_t correction_limited_ = 0;
   std::uint64_t refused_ = 0;
   std::uint64_t jumps_ = 0;
+  std::uint64_t bounded_ = 0;
+  std::uint64_t waits_ = 0;
+  bool robot_warned_ = false;
   bool clock_missed_ = false;
   ros::WallTimer timer_;
 };

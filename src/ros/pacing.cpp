@@ -31,10 +31,11 @@ double Pacer::remaining() {
   return std::max(0.0, due_s_ - time_s);
 }
 
-void Pacer::frameBegins() {
+double Pacer::frameBegins() {
   const double time_s = now();
-  const bool behind = time_s > due_s_ + interval_s_;
-  due_s_ = (behind ? time_s : due_s_) + interval_s_;
+  const double late_s = time_s - due_s_;
+  due_s_ = (late_s > interval_s_ ? time_s : due_s_) + interval_s_;
+  return late_s > interval_s_ / 2 ? 0.0 : std::max(0.0, late_s);
 }
 
 void RealTimeFactor::add(WallClock::time_point now, double simulated_s) {

@@ -28,7 +28,9 @@ class Pacer {
   double remaining();
 
   /// Counts a frame that begins now.
-  void frameBegins();
+  /// @returns seconds since it was due; 0 if that is more than half an interval, because the frame
+  /// then counts as one that is due now
+  double frameBegins();
 
  private:
   double now() const;

@@ -149,6 +149,9 @@ class TableWriter {
              name.compare(name.size() - end.size(), end.size(), end) == 0;
     };
     if (ends("_hz")) return "Hz";
+    if (ends("_rad_s")) return "rad/s";
+    if (ends("_m_s2")) return "m/s²";
+    if (ends("_m_s")) return "m/s";
     if (ends("_deg")) return "degrees";
     if (ends("_m")) return "m";
     if (ends("_period") || ends("_s")) return "s";
@@ -158,9 +161,16 @@ class TableWriter {
   std::ostringstream out_;
 };
 
+/// Two nodes in two namespaces have frames of their own. @param node full name
+std::string defaultSceneFrame(const std::string& node) {
+  const std::size_t end = node.rfind('/');
+  const std::string space = end == std::string::npos || end == 0 ? "" : node.substr(1, end);
+  return space + "ice_ice_baby/scene";
+}
+
 }  // namespace
 
-NodeParameters readParameters(const XmlRpcValue& tree) {
+NodeParameters readParameters(const XmlRpcValue& tree, const std::string& node) {
   if (tree.valid() && tree.getType() != XmlRpcValue::TypeStruct) {
     throw InvalidInput("the parameters of the node = " + shortened(yamlText(tree, "~")) +
                        " must be a map of names and values; rosparam delete NAME_OF_THE_NODE");
@@ -175,6 +185,7 @@ NodeParameters readParameters(const XmlRpcValue& tree) {
       std::find(presets.begin(), presets.end(), parameters.preset) == presets.end()) {
     reader.refuse("preset", "must be \"\" or one of: " + joined(presets));
   }
+  if (!reader.find("scene_frame")) parameters.scene_frame = defaultSceneFrame(node);
   requireFrameName("parameter ~frame_id", parameters.frame_id);
   requireFrameName("parameter ~scene_frame", parameters.scene_frame);
   if (parameters.frame_id == parameters.scene_frame) {

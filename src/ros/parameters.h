@@ -32,6 +32,10 @@ struct NodeParameters {
   int springs_max = 100000;
   double state_rate_hz = 10.0;
   double diagnostic_period = 1.0;
+  double tf_delay_s = -1.0;
+  double tf_max_speed_m_s = 5.0;
+  double tf_max_acceleration_m_s2 = 100.0;
+  double tf_max_turning_rad_s = 20.0;
   bool publish_clock = false;
   std::string checkpoint_folder;
   double autosave_s = 0.0;
@@ -52,7 +56,8 @@ void describe(NodeParameters& p, Visitor&& visit) {
   visit("start_paused", p.start_paused, "whether to start paused, until resume or step is called");
   visit("frame_id", p.frame_id, "parent tf frame of the scene");
   visit("scene_frame", p.scene_frame,
-        "tf frame of the scene and of all published data; parent of the colliders' frames");
+        "tf frame of the scene and of all published data; parent of the colliders' frames; the "
+        "default begins with the namespace of the node, if it has one");
   visit("scene_position_m", p.scene_position_m, Range{-1e6, 1e6},
         "position of scene_frame in frame_id");
   visit("scene_rpy_deg", p.scene_rpy_deg, Range{-360.0, 360.0},
@@ -72,6 +77,15 @@ void describe(NodeParameters& p, Visitor&& visit) {
         "state messages per second of wall time, at most one per frame; 0: none");
   visit("diagnostic_period", p.diagnostic_period, Range{0.1, 3600.0},
         "interval between two messages on /diagnostics");
+  visit("tf_delay_s", p.tf_delay_s, Range{-1.0, 2.0},
+        "how far colliders are behind the tf frames that they follow; negative: as little as the "
+        "transforms allow, at most 0.5");
+  visit("tf_max_speed_m_s", p.tf_max_speed_m_s, Range{0.01, 1000.0},
+        "largest speed of a collider that follows a tf frame");
+  visit("tf_max_acceleration_m_s2", p.tf_max_acceleration_m_s2, Range{0.1, 1e5},
+        "largest acceleration of such a collider");
+  visit("tf_max_turning_rad_s", p.tf_max_turning_rad_s, Range{0.01, 1000.0},
+        "largest angular velocity of such a collider");
   visit("publish_clock", p.publish_clock,
         "whether to publish simulated time on /clock; refused if another node publishes it");
   visit("checkpoint_folder", p.checkpoint_folder,
@@ -85,8 +99,9 @@ void describe(NodeParameters& p, Visitor&& visit) {
 }
 
 /// Reads the tree of private parameters.
+/// @param node full name of the node, whose namespace is part of the default of ~scene_frame
 /// @throws InvalidInput naming an unknown parameter, or the value and what is allowed
-NodeParameters readParameters(const XmlRpc::XmlRpcValue& tree);
+NodeParameters readParameters(const XmlRpc::XmlRpcValue& tree, const std::string& node = "/node");
 
 /// Overrides with which the node and the reset service load a scene; the preset too, unless "".
 std::vector<Override> overridesFor(const NodeParameters& parameters, const std::string& preset);

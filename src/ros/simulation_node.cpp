@@ -14,7 +14,7 @@ ros::NodeHandle served(ros::NodeHandle node, ros::CallbackQueue& queue) {
 NodeParameters parametersOf(const ros::NodeHandle& node) {
   XmlRpc::XmlRpcValue tree;
   node.getParam(node.getNamespace(), tree);
-  return readParameters(tree);
+  return readParameters(tree, node.getNamespace());
 }
 
 /// With autosave the folder has to be usable from the start, without it only when save is called.
@@ -92,7 +92,9 @@ RunHooks SimulationNode::hooks() {
     frames_.sceneStarted(simulation, clock_.stamp());
     topics_.sceneStarted(simulation);
   };
-  hooks.before_frame = [this](Simulation& simulation) { frames_.moveFollowers(simulation); };
+  hooks.before_frame = [this](Simulation& simulation, const FrameBegin& frame) {
+    frames_.moveFollowers(simulation, clock_.frameStamp(frame, frames_.follows()));
+  };
   hooks.tick = [this](const Simulation& simulation, const Snapshot& snapshot, bool settled) {
     clock_.tick(snapshot.simulated_s);
     const ros::Time stamp = clock_.stamp();

@@ -212,22 +212,22 @@ void SimulationThread::applyCommands() {
 bool SimulationThread::runFrameIfDue() {
   if (steps_left_ > 0) {
     --steps_left_;
-    runFrame();
+    runFrame(0.0, true);
     return true;
   }
   if (latest_.paused || pacer_.remaining() > 0.0) return false;
-  pacer_.frameBegins();
-  runFrame();
+  runFrame(pacer_.frameBegins(), false);
   real_time_factor_.add(WallClock::now(), latest_.simulated_s);
   return true;
 }
 
 /// A frame that throws, for example out of memory, pauses the simulation and does not end the node.
-void SimulationThread::runFrame() {
+void SimulationThread::runFrame(double late_s, bool stepped) {
   latest_.state_hash = 0;
   latest_.changes += 1;
   try {
-    hooks_.before_frame(*simulation_);
+    const double end_s = latest_.simulated_s + frameTime_s(*simulation_);
+    hooks_.before_frame(*simulation_, {end_s, late_s, stepped});
     const StepReport& report = simulation_->advanceFrame();
     latest_.simulated_s += frameTime_s(*simulation_);
     latest_.speed_limited += report.speed_limited;

@@ -56,11 +56,19 @@ struct RunOptions {
   bool start_paused = false;
 };
 
+/// A frame that begins now.
+struct FrameBegin {
+  double end_s;   ///< simulated time at its end, since the node started
+  double late_s;  ///< time since it was due, of the clock that paces frames
+  bool stepped;   ///< whether it is a step while paused
+};
+
 /// Functions called on the simulation's thread.
 struct RunHooks {
   /// A simulation starts: the first one, and after each reset and load.
   std::function<void(const Simulation&)> started = [](const Simulation&) {};
-  std::function<void(Simulation&)> before_frame = [](Simulation&) {};
+  std::function<void(Simulation&, const FrameBegin&)> before_frame = [](Simulation&,
+                                                                        const FrameBegin&) {};
   /// After each frame, and at least every 50 ms. @param settled whether no frame follows by itself
   std::function<void(const Simulation&, const Snapshot&, bool settled)> tick =
       [](const Simulation&, const Snapshot&, bool) {};
@@ -124,7 +132,7 @@ class SimulationThread {
   void forgetComing(const std::shared_ptr<const ServedScene>& failed);
   void applyCommands();
   bool runFrameIfDue();
-  void runFrame();
+  void runFrame(double late_s, bool stepped);
   void updateSnapshot();
   void hashState();
   double waitTime_s();

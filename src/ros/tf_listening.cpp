@@ -1,11 +1,11 @@
 #include "tf_listening.h"
 
 #include <ros/master.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <chrono>
 #include <utility>
 
+#include "tf_feed.h"
 #include "tf_watch.h"
 
 namespace ice_ice_baby {
@@ -18,14 +18,18 @@ constexpr std::chrono::milliseconds kLook{500};
 }  // namespace
 
 struct TfListening::Listener {
-  Listener(ros::NodeHandle& node, tf2_ros::Buffer& buffer) : tf(buffer), watch(node) {}
+  explicit Listener(const TfListening& of)
+      : feed(of.node_, of.buffer_, of.own_, watch, of.arrived_) {}
 
-  tf2_ros::TransformListener tf;
   TfWatch watch;
+  TfFeed feed;
 };
 
-TfListening::TfListening(const ros::NodeHandle& node, tf2_ros::Buffer& buffer)
-    : node_(node), buffer_(buffer), thread_([this] { run(); }) {}
+TfListening::TfListening(const ros::NodeHandle& node, tf2_ros::Buffer& buffer, const OwnFrames& own,
+                         std::function<void()> arrived)
+    : node_(node), buffer_(buffer), own_(own), arrived_(std::move(arrived)), thread_([this] {
+        run();
+      }) {}
 
 TfListening::~TfListening() {
   {
@@ -57,7 +61,7 @@ void TfListening::run() {
     lock.unlock();
     other.reset();
     // Checked first, because roscpp holds the locks of all topics while it waits for the master.
-    if (begin && ros::master::check()) other = std::make_unique<Listener>(node_, buffer_);
+    if (begin && ros::master::check()) other = std::make_unique<Listener>(*this);
     lock.lock();
     listener_ = std::move(other);
     if (begin && !listener_) changed_.wait_for(lock, kLook, [this] { return stopping_; });

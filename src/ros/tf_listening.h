@@ -5,11 +5,14 @@
 #include <tf2_ros/buffer.h>
 
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "own_frames.h"
 
 namespace ice_ice_baby {
 
@@ -17,8 +20,10 @@ namespace ice_ice_baby {
 /// down, so a separate thread does it.
 class TfListening {
  public:
-  /// @param buffer must outlive this object
-  TfListening(const ros::NodeHandle& node, tf2_ros::Buffer& buffer);
+  /// @param buffer, own must outlive this object @param own frames that are left out
+  /// @param arrived called after each message, on a thread of its own
+  TfListening(const ros::NodeHandle& node, tf2_ros::Buffer& buffer, const OwnFrames& own,
+              std::function<void()> arrived);
   ~TfListening();
 
   /// Starts or stops listening soon, or when the master answers again. Returns at once.
@@ -34,6 +39,8 @@ class TfListening {
 
   ros::NodeHandle node_;
   tf2_ros::Buffer& buffer_;
+  const OwnFrames& own_;
+  const std::function<void()> arrived_;
   mutable std::mutex mutex_;  ///< guards the next four
   std::condition_variable changed_;
   bool wanted_ = false;

@@ -28,10 +28,6 @@ std::string refusalOf(const geometry_msgs::Transform& transform) {
   return "the length of its rotation is " + numberText(length) + " and must be 1";
 }
 
-TfWatch::TfWatch(ros::NodeHandle& node)
-    : dynamic_(node.subscribe("/tf", 100, &TfWatch::see, this)),
-      static_(node.subscribe("/tf_static", 100, &TfWatch::see, this)) {}
-
 std::vector<std::string> TfWatch::refused() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<std::string> lines;

@@ -14,6 +14,7 @@ NOT_RUN = {
     "scripts/verify --fast *": "takes minutes",
     "scripts/check/*": "takes minutes, and needs tools that the machine may lack",
     "*scripts/load/flood --scene small": "takes minutes",
+    "scripts/load/carry": "takes minutes",
     "cmake -*": "builds",
     "ctest -*": "runs other tests",
     "catkin_make *": "needs a catkin workspace",

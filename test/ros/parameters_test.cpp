@@ -104,6 +104,14 @@ TEST(Parameters, FramesMustBeUsableAndDiffer) {
   EXPECT_TRUE(mentions(refusal(with("scene_frame", "world")), "both world"));
 }
 
+TEST(Parameters, TheSceneFrameIsInTheNamespaceOfTheNode) {
+  EXPECT_EQ(readParameters(XmlRpcValue()).scene_frame, "ice_ice_baby/scene");
+  EXPECT_EQ(readParameters(XmlRpcValue(), "/sim").scene_frame, "ice_ice_baby/scene");
+  EXPECT_EQ(readParameters(XmlRpcValue(), "/a/sim").scene_frame, "a/ice_ice_baby/scene");
+  EXPECT_EQ(readParameters(XmlRpcValue(), "/a/b/sim").scene_frame, "a/b/ice_ice_baby/scene");
+  EXPECT_EQ(readParameters(with("scene_frame", "here"), "/a/sim").scene_frame, "here");
+}
+
 TEST(Parameters, HugeBadValuesAreShortenedInMessages) {
   XmlRpcValue list, deep;
   for (int k = 0; k < 20000; ++k) list[k] = 0.5;

@@ -192,7 +192,7 @@ TEST_F(PayOnly, CollidersThatFollowNoFrameAreNotAskedFor) {
   frames.sceneStarted(simulation_, ros::Time::now());
   simulation_.poses = 0;
   for (int k = 0; k < 20; ++k) {
-    frames.moveFollowers(simulation_);
+    frames.moveFollowers(simulation_, ros::Time::now());
     simulation_.advanceFrame();
     EXPECT_FALSE(frames.publishFollowers(simulation_, ros::Time::now()));
   }

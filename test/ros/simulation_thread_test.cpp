@@ -169,7 +169,7 @@ TEST(SimulationThread, ResetStartsAgainAndCallsTheHook) {
 TEST(SimulationThread, FrameThatFailsPausesInsteadOfEndingTheNode) {
   RunHooks hooks;
   std::atomic<bool> fails{true};
-  hooks.before_frame = [&](Simulation&) {
+  hooks.before_frame = [&](Simulation&, const FrameBegin&) {
     if (fails) throw std::runtime_error("out of luck");
   };
   RunOptions options = paused();

@@ -1,0 +1,210 @@
+// Followers: what becomes of their poses. How they arrive is in followers_tf.cpp.
+#include "followers.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ice_ice_baby/each_collider.h"
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+PlaybackSettings settingsOf(const NodeParameters& parameters) {
+  PlaybackSettings settings;
+  settings.delay_s = parameters.tf_delay_s;
+  settings.simulated_time = ros::Time::isSimTime();
+  return settings;
+}
+
+/// With ~publish_clock ROS time is that of the simulation.
+double framesPerFrame(const NodeParameters& parameters) {
+  const bool own_clock = ros::Time::isSimTime() && parameters.publish_clock;
+  return own_clock || parameters.real_time_factor <= 0.0 ? 1.0 : 1.0 / parameters.real_time_factor;
+}
+
+/// Rounded to three digits after the point.
+std::string roundedText(double value) { return numberText(std::round(1e3 * value) / 1e3); }
+
+}  // namespace
+
+Followers::Followers(const ros::NodeHandle& node, const NodeParameters& parameters,
+                     const OwnFrames& own)
+    : scene_frame_(parameters.scene_frame),
+      settings_(settingsOf(parameters)),
+      bounds_{parameters.tf_max_speed_m_s, parameters.tf_max_acceleration_m_s2,
+              parameters.tf_max_turning_rad_s},
+      frames_per_frame_(framesPerFrame(parameters)),
+      listening_(node, buffer_, own, [this] {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        collect();
+        arrived_.notify_all();
+      }) {
+  buffer_.setUsingDedicatedThread(true);
+}
+
+void Followers::sceneStarted(const Simulation& simulation) {
+  const SolverParams& solver = simulation.scene().solver;
+  PlaybackSettings settings = settings_;
+  settings.frame_s = std::min(0.1, frames_per_frame_ / solver.frame_rate_hz);
+  settings.teleport = {solver.max_speed_m_s / solver.frame_rate_hz, solver.max_speed_m_s};
+  frame_s_ = 1.0 / solver.frame_rate_hz;
+  teleport_m_s_ = solver.max_speed_m_s;
+  names_.clear();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    followers_.clear();
+    forEachCollider(simulation.scene(), [&](const Collider& collider) {
+      if (collider.follow_frame.empty()) return;
+      names_.push_back(collider.name);
+      followers_.push_back({collider.name, collider.follow_frame, collider.pose(),
+                            PosePlayback(settings), MotionLimit(bounds_), "", std::nullopt,
+                            ros::Time(), false, false});
+    });
+  }
+  listening_.want(!names_.empty());
+  setLost({});
+}
+
+void Followers::addOwn(const geometry_msgs::TransformStamped& transform, bool is_static) {
+  buffer_.setTransform(transform, "self", is_static);
+}
+
+void Followers::move(Simulation& simulation, const ros::Time& stamp) {
+  if (names_.empty()) return;
+  clearAfterJump();
+  std::vector<Target> targets;
+  std::vector<std::string> lost;
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    const double stamp_s = secondsOf(stamp);
+    collect();
+    if (settings_.simulated_time) await(lock, stamp_s);
+    stamp_s_ = stamp_s;
+    targets = play(stamp_s);
+    for (const Follower& follower : followers_) {
+      if (!follower.missing.empty()) lost.push_back(lineOf(follower, follower.missing));
+    }
+  }
+  // What this uses of a follower changes on this thread only.
+  const auto moving = std::stable_partition(targets.begin(), targets.end(),
+                                            [](const Target& target) { return target.placed; });
+  place(simulation, {targets.begin(), moving}, lost);
+  for (auto target = moving; target != targets.end(); ++target) moveOne(simulation, *target, lost);
+  setLost(std::move(lost));
+}
+
+std::vector<Followers::Target> Followers::play(double stamp_s) {
+  std::vector<Target> targets;
+  for (Follower& follower : followers_) {
+    if (!follower.placed) follower.playback.restart();
+    std::optional<PosePlayback::Played> played = follower.playback.play(stamp_s);
+    if (follower.fixed) played = PosePlayback::Played{*follower.fixed, false};
+    if (!played) continue;
+    const Posed pose{played->pose.toWorld(follower.offset.position),
+                     played->pose.rotation * follower.offset.rotation};
+    targets.push_back({&follower, pose, played->placed || !follower.placed});
+  }
+  return targets;
+}
+
+/// All together, so that two colliders can change places. If one of them is refused, one by one.
+void Followers::place(Simulation& simulation, const std::vector<Target>& targets,
+                      std::vector<std::string>& lost) {
+  if (targets.empty()) return;
+  std::vector<ColliderPlacement> placements;
+  for (const Target& target : targets) placements.push_back({target.follower->name, target.pose});
+  std::vector<double> distances_m;
+  for (const auto& [name, pose] : placements) {
+    distances_m.push_back((pose.position - simulation.colliderPose(name).position).norm());
+  }
+  try {
+    simulation.placeColliders(placements);
+  } catch (const std::exception& e) {
+    if (targets.size() > 1) {
+      for (const Target& target : targets) place(simulation, {target}, lost);
+      return;
+    }
+    targets.front().follower->placed = false;
+    lost.push_back(lineOf(*targets.front().follower, e.what()));
+    return;
+  }
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    Follower& follower = *targets[k].follower;
+    if (follower.placed) noteJump(follower, distances_m[k]);
+    follower.placed = true;
+    follower.limit.start(targets[k].pose);
+  }
+}
+
+void Followers::moveOne(Simulation& simulation, const Target& target,
+                        std::vector<std::string>& lost) {
+  Follower& follower = *target.follower;
+  const MotionLimit::Step step = follower.limit.step(target.pose, frame_s_);
+  try {
+    simulation.moveCollider(follower.name, step.pose);
+  } catch (const std::exception& e) {
+    follower.placed = false;
+    lost.push_back(lineOf(follower, e.what()));
+    return;
+  }
+  if (step.behind_m > 0.0 || step.behind_rad > 0.0) noteBounded(follower, step);
+}
+
+std::vector<std::string> Followers::lost() const {
+  std::vector<std::string> lines = listening_.refused();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  lines.insert(lines.end(), lost_.begin(), lost_.end());
+  return lines;
+}
+
+Followers::Report Followers::report() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Report report = report_;
+  for (const Follower& follower : followers_) {
+    const PoseSamples& samples = follower.playback.samples();
+    if (follower.fixed) {
+      report.frames.push_back({follower.name, 0.0, 0.0, 0.0});
+    } else if (!samples.empty()) {
+      report.frames.push_back({follower.name, stamp_s_ - samples.newest().stamp_s,
+                               samples.rate_hz(), follower.playback.delay_s()});
+    }
+  }
+  return report;
+}
+
+std::string Followers::lineOf(const Follower& follower, const std::string& why) {
+  return "collider " + follower.name + ", which follows tf frame " + follower.frame +
+         ", does not move: " + why;
+}
+
+void Followers::noteJump(const Follower& follower, double distance_m) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  report_.jumps.count += 1;
+  report_.jumps.latest = "collider " + follower.name + " jumped " + roundedText(distance_m) +
+                         " m with tf frame " + follower.frame +
+                         " and took its contents along, because the frame moved faster than the " +
+                         numberText(teleport_m_s_) + " m/s of solver.max_speed_m_s";
+}
+
+void Followers::noteBounded(const Follower& follower, const MotionLimit::Step& step) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  report_.bounded.count += 1;
+  report_.bounded.latest =
+      "collider " + follower.name + " was " + roundedText(step.behind_m) + " m and " +
+      roundedText(step.behind_rad) + " rad behind tf frame " + follower.frame +
+      ", which moves faster than ~tf_max_speed_m_s, ~tf_max_acceleration_m_s2 or "
+      "~tf_max_turning_rad_s allow; move it more slowly, or raise them";
+}
+
+void Followers::setLost(std::vector<std::string> lost) {
+  // Not throttled: a throttled log is silent until a simulated clock ticks.
+  if (lost.size() > lost_.size()) ROS_WARN("%s", joined(lost).c_str());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  lost_ = std::move(lost);
+}
+
+}  // namespace ice_ice_baby

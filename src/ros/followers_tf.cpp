@@ -1,0 +1,85 @@
+// Followers: how the poses of their frames arrive.
+#include <ros/console.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "followers.h"
+#include "geometry.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// A frame waits this long, of wall time, for the transforms of its stamp.
+constexpr std::chrono::milliseconds kPatience{500};
+
+}  // namespace
+
+/// Differences of ros::Time throw beyond 68 years.
+double Followers::secondsOf(const ros::Time& time) {
+  if (origin_.isZero()) origin_ = time;
+  return (double(time.sec) - double(origin_.sec)) +
+         (double(time.nsec) - double(origin_.nsec)) / 1e9;
+}
+
+void Followers::collect() {
+  const double now_s = secondsOf(ros::Time::now());
+  for (Follower& follower : followers_) collect(follower, now_s);
+}
+
+void Followers::collect(Follower& follower, double now_s) {
+  try {
+    const auto found = buffer_.lookupTransform(scene_frame_, follower.frame, ros::Time(0));
+    const Posed pose = poseOf(found.transform);
+    follower.missing.clear();
+    follower.fixed.reset();
+    if (found.header.stamp.isZero()) {
+      follower.fixed = pose;
+    } else if (found.header.stamp != follower.newest) {
+      follower.newest = found.header.stamp;
+      follower.playback.add({secondsOf(found.header.stamp), now_s, pose});
+      follower.late = false;
+    }
+  } catch (const std::exception& e) {
+    follower.missing = e.what();
+  }
+}
+
+bool Followers::ready(const Follower& follower, double stamp_s) const {
+  const PoseSamples& samples = follower.playback.samples();
+  return follower.fixed || follower.late || samples.count() < 2 ||
+         samples.newest().stamp_s >= follower.playback.neededStamp_s(stamp_s);
+}
+
+/// A robot in simulated time sends the transforms of a stamp soon after it, however slow the water.
+void Followers::await(std::unique_lock<std::mutex>& lock, double stamp_s) {
+  const auto all_ready = [&] {
+    return std::all_of(followers_.begin(), followers_.end(),
+                       [&](const Follower& follower) { return ready(follower, stamp_s); });
+  };
+  if (arrived_.wait_for(lock, kPatience, all_ready)) return;
+  for (Follower& follower : followers_) {
+    if (ready(follower, stamp_s)) continue;
+    follower.late = true;
+    report_.waits.count += 1;
+    report_.waits.latest = "collider " + follower.name +
+                           " waited 0.5 s for the transform of tf frame " + follower.frame +
+                           " and went on without it; the robot has to send one "
+                           "for each message on /clock, or at a steady rate";
+    ROS_WARN("%s", report_.waits.latest.c_str());
+  }
+}
+
+/// tf2 clears its buffer at the jump, but an old transform that arrives afterwards would make it
+/// reject all newer ones. So the buffer is cleared again once late transforms have arrived.
+void Followers::clearAfterJump() {
+  const ros::Time now = ros::Time::now();
+  if (now < latest_) clear_at_ = ros::WallTime::now() + ros::WallDuration(0.5);
+  latest_ = now;
+  if (clear_at_.isZero() || ros::WallTime::now() < clear_at_) return;
+  clear_at_ = ros::WallTime();
+  buffer_.clear();
+}
+
+}  // namespace ice_ice_baby
