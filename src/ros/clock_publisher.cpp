@@ -78,7 +78,10 @@ ros::Time ClockPublisher::frameStamp(const FrameBegin& frame, bool announced) {
     stamps_.restart();
     return now;
   }
-  return origin_ + ros::Duration(stamps_.next((now - origin_).toSec() - frame.late_s));
+  const ros::Time stamp =
+      origin_ + ros::Duration(stamps_.next((now - origin_).toSec() - frame.late_s));
+  // A robot in simulated time has sent nothing for times to come.
+  return ros::Time::isSimTime() ? std::min(stamp, now) : stamp;
 }
 
 void ClockPublisher::tick(double simulated_s) {

@@ -59,12 +59,14 @@ std::optional<PosePlayback::Played> PosePlayback::play(double stamp_s) {
 
 double PosePlayback::wantedDelay_s() const {
   if (settings_.delay_s >= 0.0) return settings_.delay_s;
-  if (settings_.simulated_time) {
-    const double interval_s = samples_.interval_s();
-    return interval_s < 1.1 * settings_.frame_s ? 0.0 : std::min(interval_s, kMaxDelay_s);
-  }
   const double latency_s = samples_.latency_s();
   const double clocks_s = std::abs(latency_s) > kMaxDelay_s ? latency_s : 0.0;
+  if (settings_.simulated_time) {
+    const double interval_s = samples_.interval_s();
+    const bool each_frame = interval_s < 1.1 * settings_.frame_s;
+    return clocks_s + std::max(0.0, latency_s - clocks_s) +
+           (each_frame ? 0.0 : std::min(interval_s, kMaxDelay_s));
+  }
   return clocks_s + std::min(kMaxDelay_s, samples_.silence_s() - clocks_s + settings_.frame_s);
 }
 

@@ -10,8 +10,8 @@ namespace ice_ice_baby {
 
 struct PlaybackSettings {
   /// Delay, s; negative: automatic. That is the largest (arrival - previous stamp) of the last 2 s
-  /// plus a frame, at most 0.5 s beyond a difference of the clocks; in simulated time 0, or the
-  /// interval of samples that come less often than frames.
+  /// plus a frame, at most 0.5 s beyond a difference of the clocks; in simulated time the smallest
+  /// (arrival - stamp), usually 0, plus the interval of samples that come less often than frames.
   double delay_s = -1.0;
   bool simulated_time = false;  ///< the robot waits for the clock, so nothing is late
   double frame_s = 1.0 / 60.0;

@@ -8,6 +8,7 @@ import unittest
 
 import rosgraph
 import rospy
+from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import TransformStamped
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
@@ -126,6 +127,37 @@ class Follow(unittest.TestCase):
         status = self.node.diagnostic("followed frames", lambda s: s.values[0].value != before)
         self.assertIn("collider ball jumped 2.95 m with tf frame hand", status.message)
         self.assertEqual(self.node.state().non_finite, 0)
+
+    def test_8_what_is_bounded_is_told(self):
+        with Latest("/diagnostics", DiagnosticArray) as told, Latest("/tf", TFMessage) as tf:
+            self.carry_hand(tf, 4.0)
+            self.carry_hand(tf, 3.6)  # too near for a jump, and faster than 5 m/s
+
+            def bounded():
+                return next(
+                    (
+                        s
+                        for m in told.messages
+                        for s in m.status
+                        if s.name == "sim: followed frames" and "rad behind" in s.message
+                    ),
+                    None,
+                )
+
+            status = wait_until(bounded, "a warning about the bounds")
+        self.assertEqual(status.level, 1)
+        self.assertIn("behind tf frame hand", status.message)
+        self.assertIn("~tf_max_speed_m_s", status.message)
+        keys = [v.key for v in status.values]
+        for key in ("ball age [s]", "ball rate [Hz]", "ball delay [s]"):
+            self.assertIn(key, keys)
+
+    def test_9_water_slower_than_a_robot_is_a_warning(self):
+        slow = Node("/slow/sim")
+        slow.when(lambda s: s.frame > 60, "a second of simulated time")
+        status = slow.diagnostic("real time", lambda s: s.level == 1)
+        self.assertRegex(status.message, "a robot on tf is 3.[0-9]* times as fast for the water")
+        self.assertIn("~publish_clock", status.message)
 
 
 if __name__ == "__main__":

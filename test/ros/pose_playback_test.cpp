@@ -165,6 +165,10 @@ TEST(PosePlayback, InSimulatedTimeTheDelayIsZeroOrAnInterval) {
     EXPECT_NEAR(playback.delay_s(), 1 / rate_hz, 1e-9);
     expectOnPath(frames, path, 1.0, 1e-9, 1e-7);
   }
+  PosePlayback late(settings);
+  const auto frames = Stream{path, 120.0, 0.05}.run(late, 2.0);
+  EXPECT_NEAR(late.delay_s(), 0.05, 1e-9);
+  expectOnPath(frames, path, 1.0, 1e-9, 1e-7);
 }
 
 TEST(PosePlayback, NoiseIsReducedAboveThirtyHertz) {

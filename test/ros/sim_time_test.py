@@ -66,6 +66,13 @@ class SimTime(unittest.TestCase):
                 ),
                 "the ball at the hand",
             )
+            stamps = [
+                t.header.stamp
+                for m in tf.messages
+                for t in m.transforms
+                if t.child_frame_id == BALL
+            ]
+        self.assertEqual(len(stamps), len(set(stamps)), "more than one transform for a stamp")
 
     def test_no_clock_runs_then_jumps_back(self):
         status = self.node.diagnostic("clock", lambda s: s.level == 1)
