@@ -298,7 +298,9 @@ class Interface(unittest.TestCase):
     def test_get_state(self):
         answer = self.node.get_state()
         self.assertTrue(answer.success)
-        self.assertEqual(answer.scenes, ["coarse_steps", "followed", "slow", "small", "warm"])
+        self.assertEqual(
+            answer.scenes, ["carried_cup", "coarse_steps", "followed", "slow", "small", "warm"]
+        )
         self.assertEqual(
             [t.name for t in answer.state.topics],
             ["/sim/particles", "/sim/springs", "/sim/colliders", "/sim/state"],

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <random>
 
 #include "turns.h"
@@ -14,7 +13,6 @@ namespace ice_ice_baby {
 namespace {
 
 constexpr double kFrame_s = 1.0 / 60.0;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 using Path = std::function<Posed(double)>;
 
@@ -269,49 +267,6 @@ TEST(PosePlayback, AClockThatJumpsBackStartsAgainWithoutAJump) {
   EXPECT_LT(motionOf(frames, 0.0).acceleration_m_s2, 70.0);
   expectOnPath(frames, after.path, 502.5, 1e-9, 1e-7);
   for (const auto& frame : frames) EXPECT_FALSE(frame.placed);
-}
-
-TEST(PosePlayback, DuplicatesAndLateSamplesChangeNothing) {
-  const Path path = steady({0, 0, 0}, {0.5, 0, 0}, {0, 3, 0});
-  PosePlayback playback;
-  const auto add = [&](int k, double arrival_s) {
-    return playback.add({0.01 * k, arrival_s, path(0.01 * k)});
-  };
-  for (int k = 0; k < 300; k += 2) {
-    const double arrival_s = 0.01 * (k + 1);
-    EXPECT_TRUE(add(k + 1, arrival_s));
-    EXPECT_EQ(add(k, arrival_s), k > 0) << "late; older than all for the first";
-    EXPECT_FALSE(add(k + 1, arrival_s)) << "again";
-    const auto played = playback.play(arrival_s);
-    if (k < 100) continue;
-    const Posed expected = path(arrival_s - playback.delay_s());
-    ASSERT_LT((played->pose.position - expected.position).norm(), 1e-9);
-    ASSERT_LT(angleBetween(played->pose, expected), 1e-7);
-  }
-}
-
-TEST(PosePlayback, InvalidSamplesAreRefusedAndHugeOnesAreFinite) {
-  PosePlayback playback;
-  const Posed pose = at({1, 2, 3});
-  EXPECT_TRUE(playback.add({0.0, 0.0, pose}));
-  EXPECT_FALSE(playback.add({kNaN, 0.1, pose}));
-  EXPECT_FALSE(playback.add({0.1, kNaN, pose}));
-  EXPECT_FALSE(playback.add({0.1, 0.1, at({kNaN, 0, 0})}));
-  EXPECT_FALSE(playback.add({0.1, 0.1, {Vec3d(0, 0, 0), kNaN * Mat3<double>::Identity()}}));
-  EXPECT_FALSE(playback.add({0.1, 0.1, at({0, 1.0000001e12, 0})}));
-  EXPECT_EQ(playback.samples().count(), 1u);
-  for (int k = 1; k < 200; ++k) {
-    playback.add({0.01 * k, 0.01 * k, at({k % 7 == 0 ? 1e12 : 1.0, 2, 3})});
-    const auto played = playback.play(0.01 * k);
-    ASSERT_TRUE(played->pose.position.allFinite() && played->pose.rotation.allFinite());
-  }
-  EXPECT_LT((playback.play(20.0)->pose.position - Vec3d(1, 2, 3)).norm(), 1e-3);
-}
-
-TEST(PosePlayback, MemoryIsBounded) {
-  PosePlayback playback;
-  for (int k = 0; k < 100000; ++k) playback.add({1e-5 * k, 1e-5 * k, Posed()});
-  EXPECT_LE(playback.samples().count(), 4096u);
 }
 
 }  // namespace
