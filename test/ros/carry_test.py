@@ -67,6 +67,16 @@ def cup_poses(tf):
     }
 
 
+def points_of(cloud):
+    return np.array(list(point_cloud2.read_points(cloud, ("x", "y", "z"))))
+
+
+def count_inside(points, x):
+    """Particles in the cup at x."""
+    low, high = np.array([x - 0.048, -0.048, 0.0]), np.array([x + 0.048, 0.048, 0.14])
+    return ((points > low) & (points < high)).all(axis=1).sum()
+
+
 class Carry(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -85,12 +95,10 @@ class Carry(unittest.TestCase):
             cloud = clouds.wait(
                 lambda c: abs((c.header.stamp - state.header.stamp).to_sec()) < 1e-6, "particles"
             )
-        return state, np.array(list(point_cloud2.read_points(cloud, ("x", "y", "z"))))
+        return state, points_of(cloud)
 
     def assert_in_cup(self, points, x):
-        low, high = np.array([x - 0.048, -0.048, 0.0]), np.array([x + 0.048, 0.048, 0.14])
-        inside = ((points > low) & (points < high)).all(axis=1).sum()
-        self.assertEqual((inside, len(points)), (PARTICLES, PARTICLES))
+        self.assertEqual((count_inside(points, x), len(points)), (PARTICLES, PARTICLES))
 
     def test_1_the_first_pose_is_a_placement(self):
         for x in (0.3, 1.0, -40.0):
@@ -154,6 +162,25 @@ class Carry(unittest.TestCase):
             ]
         self.assertGreater(len(stamps), 50)
         self.assertEqual(len(stamps), len(set(stamps)))
+
+    def test_6_a_static_frame_places_its_collider_too(self):
+        Node("/fixed/sim")  # it follows the clock of the other node
+        bench = TransformStamped()
+        bench.header.frame_id = "world"
+        bench.child_frame_id = "bench"
+        bench.transform.translation.x = 0.3
+        bench.transform.rotation.w = 1.0
+        static = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
+        self.node.start("carried_cup")
+        self.node.resume()
+        with Latest("/fixed/sim/particles", PointCloud2) as clouds:
+            clouds.wait(lambda c: count_inside(points_of(c), 0.0) == PARTICLES, "the cup at first")
+            static.publish(TFMessage([bench]))
+            clouds.wait(lambda c: count_inside(points_of(c), 0.3) == PARTICLES, "the cup placed")
+            stamp = self.node.state().header.stamp
+            cloud = clouds.wait(lambda c: (c.header.stamp - stamp).to_sec() > 0.5, "time")
+        self.assert_in_cup(points_of(cloud), 0.3)
+        self.node.pause()
 
 
 if __name__ == "__main__":

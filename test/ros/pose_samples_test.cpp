@@ -52,6 +52,20 @@ TEST(PoseSamples, InvalidSamplesAreRefusedAndHugeOnesAreFinite) {
   EXPECT_LT((playback.play(20.0)->pose.position - Vec3d(1, 2, 3)).norm(), 1e-3);
 }
 
+TEST(PoseSamples, AClockThatJumpsBackDropsWhatWasBefore) {
+  for (const double back_s : {0.02, 1.0, 1000.0}) {
+    PoseSamples samples;
+    for (int k = 0; k < 100; ++k) {
+      EXPECT_TRUE(samples.add({2000 + 0.01 * k, 2000 + 0.01 * k, at({1, 0, 0})}));
+    }
+    const double stamp_s = 2000.99 - back_s + 0.001;
+    EXPECT_TRUE(samples.add({stamp_s, stamp_s, at({2, 0, 0})}));
+    EXPECT_EQ(samples.count(), 1u) << back_s;
+    EXPECT_EQ(samples.newest().pose.position.x(), 2.0);
+    EXPECT_EQ(samples.epoch(), 1u);
+  }
+}
+
 TEST(PoseSamples, MemoryIsBounded) {
   PosePlayback playback;
   for (int k = 0; k < 100000; ++k) playback.add({1e-5 * k, 1e-5 * k, Posed()});
