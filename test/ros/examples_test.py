@@ -71,7 +71,7 @@ class Examples(unittest.TestCase):
                     for t in m.transforms
                     if t.child_frame_id == SPOON
                 ]
-                return [p for p in found if abs(p.z - 0.15) < 1e-6]
+                return [p for p in found if abs(p.z - 0.1) < 1e-6]
 
             wait_until(
                 lambda: max((p.x for p in places()), default=0) > 0.11
