@@ -19,10 +19,13 @@ struct PlaneShape : ShapeBasis<Real> {
   /// The ground or the top of the plate, for a point above it; empty below or beside it.
   NearSurfaces<Real> near(const Vec3<Real>& point, Real reach_m) const;
 
-  bool solid(const Vec3<Real>& point) const {
-    if (infinite) return point.z() < 0;
+  std::optional<AlignedBox<Real>> box() const {
+    if (infinite) return std::nullopt;
     const Real r = this->radius;
-    return AlignedBox<Real>{plate.low.array() + r, plate.high.array() - r}.holds(point);
+    return AlignedBox<Real>{plate.low.array() + r, plate.high.array() - r};
+  }
+  bool solid(const Vec3<Real>& point) const {
+    return infinite ? point.z() < 0 : box()->holds(point);
   }
 
   std::uint32_t clear(const Vec3<Real>& from, const Vec3<Real>& to, Real margin_m) const {

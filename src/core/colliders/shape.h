@@ -69,6 +69,9 @@ class Shape {
   std::optional<Rim<Real>> rim(const Vec3<Real>& point, Real reach_m) const {
     return ask([&](const auto& shape) { return shape.rim(point, reach_m); });
   }
+  std::optional<AlignedBox<Real>> box() const {
+    return ask([](const auto& shape) { return shape.box(); });
+  }
   Real curvatureRadius() const {
     return ask([](const auto& shape) { return shape.curvatureRadius(); });
   }

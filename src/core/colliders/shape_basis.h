@@ -76,6 +76,8 @@ struct ShapeBasis {
   bool hides(const Vec3<Real>&, const Vec3<Real>&, Real) const { return false; }
   /// The rim, for a point closer than `reach` to its height.
   std::optional<Rim<Real>> rim(const Vec3<Real>&, Real) const { return std::nullopt; }
+  /// The solid, if it is a box, in the dimensions of the scene.
+  std::optional<AlignedBox<Real>> box() const { return std::nullopt; }
   /// Radius of curvature of the whole surface, m.
   Real curvatureRadius() const { return std::numeric_limits<Real>::infinity(); }
   /// Whether particles may slide around it in any direction.

@@ -1,24 +1,32 @@
 #include "fluid/boundary_density.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace ice_ice_baby {
 
 namespace {
 
-constexpr int kEdgeSize = 64;
-constexpr int kCornerSize = 32;
-
-double kernelValue(KernelPair pair, double h, double r) {
-  return pair == KernelPair::kCubic ? CubicSpline<double>(h).w(r) : Poly6<double>(h).w(r);
-}
-
 /// Fraction of the surface of a sphere of radius r inside a ball whose centre is at `distance`.
 double shareInside(double r, double distance, double ball) {
   const double cosine = (distance * distance + r * r - ball * ball) / (2 * distance * r);
   return 0.5 * (1 - std::clamp(cosine, -1.0, 1.0));
+}
+
+/// Integral of the kernel over a ball, over the distance from its surface.
+template <class Real>
+DistanceTable<Real> ballTable(const WallKernel& kernel, double ball_m) {
+  constexpr int kShells = 400;
+  const double step = kernel.reach_m() / kShells;
+  return DistanceTable<Real>(kernel.reach_m(), [&](double distance) {
+    double sum = 0.0;
+    for (int k = 0; k < kShells; ++k) {
+      const double r = step * (k + 0.5);
+      sum += 4 * M_PI * r * r * kernel.value(r) * shareInside(r, distance + ball_m, ball_m) * step;
+    }
+    return sum;
+  });
 }
 
 }  // namespace
@@ -27,230 +35,203 @@ template <class Real>
 BoundaryDensity<Real>::BoundaryDensity(const Scene& scene, const Colliders<Real>& colliders,
                                        double volume_m3)
     : colliders_(colliders),
-      kernel_(scene.fluid.kernel),
-      h_(scene.supportRadius_m()),
-      spacing_(scene.fluid.spacing_m),
-      volume_(volume_m3),
-      radius_(static_cast<Real>(spacing_ / 2)) {
-  tables_.push_back(halfSpace());
-  if (colliders.anyHollow()) {
-    edge_ = edge();
-    corner_ = corner();
-  }
-  for (const MovingShape<Real>& collider : colliders) {
-    table_of_.push_back(collider.shape.flat() ? 0 : tables_.size());
-    if (!collider.shape.flat()) tables_.push_back(ball(collider.shape.curvatureRadius()));
-  }
+      support_(static_cast<Real>(scene.supportRadius_m())),
+      radius_(static_cast<Real>(scene.fluid.spacing_m / 2)) {
+  sortColliders();
+  buildTables(RestLattice(scene, volume_m3));
 }
 
-/// Sum over the lattice behind `walls` walls at right angles, in the region behind all of them.
 template <class Real>
-double BoundaryDensity<Real>::ghosts(const std::array<double, 3>& distances, int walls) const {
-  const int reach = static_cast<int>(h_ / spacing_) + 1;
-  const auto offset = [&](int axis, int k) {
-    return axis < walls ? distances[std::size_t(axis)] + (k + 0.5) * spacing_ : k * spacing_;
+void BoundaryDensity<Real>::buildTables(const RestLattice& lattice) {
+  const auto half_space = [&](double distance) { return lattice.behind({distance, 0, 0}, 1); };
+  flat_ = std::make_unique<DistanceTable<Real>>(lattice.support_m(), half_space);
+  if (colliders_.anyHollow()) container_.emplace(lattice, *flat_, radius_);
+  std::optional<WallKernel> kernel;
+  const auto wallKernel = [&]() -> const WallKernel& {
+    if (!kernel) kernel.emplace(half_space, lattice.support_m());
+    return *kernel;
   };
-  const auto first = [&](int axis) { return axis < walls ? 0 : -reach; };
-  double sum = 0.0;
-  for (int x = first(0); x <= reach; ++x) {
-    for (int y = first(1); y <= reach; ++y) {
-      for (int z = first(2); z <= reach; ++z) {
-        const Vec3d ghost(offset(0, x), offset(1, y), offset(2, z));
-        sum += kernelValue(kernel_, h_, ghost.norm());
-      }
-    }
+  for (const MovingShape<Real>& collider : colliders_) {
+    if (collider.shape.box() && !box_) box_.emplace(wallKernel());
+    balls_.push_back(collider.shape.flat()
+                         ? DistanceTable<Real>()
+                         : ballTable<Real>(wallKernel(), double(collider.shape.curvatureRadius())));
   }
-  return volume_ * sum;
+  if (colliders_.count() > 1) overlap_.emplace(wallKernel());
 }
 
+/// What two solids share is taken off the later one, so those that others end at come first.
 template <class Real>
-DistanceTable<Real> BoundaryDensity<Real>::halfSpace() const {
-  return DistanceTable<Real>(h_, [&](double distance) { return ghosts({distance, 0, 0}, 1); });
-}
-
-template <class Real>
-DistanceTable<Real> BoundaryDensity<Real>::ball(Real radius) const {
-  constexpr int kShells = 400;
-  return DistanceTable<Real>(h_, [&](double distance) {
-    double sum = 0.0;
-    for (int k = 0; k < kShells; ++k) {
-      const double r = h_ * (k + 0.5) / kShells;
-      sum += 4 * M_PI * r * r * kernelValue(kernel_, h_, r) *
-             shareInside(r, distance + double(radius), double(radius)) * h_ / kShells;
-    }
-    return sum;
-  });
-}
-
-template <class Real>
-typename BoundaryDensity<Real>::EdgeTable BoundaryDensity<Real>::edge() const {
-  EdgeTable table;
-  table.per_m = static_cast<Real>(kEdgeSize / h_);
-  table.values.reserve((kEdgeSize + 1) * (kEdgeSize + 1));
-  for (int a = 0; a <= kEdgeSize; ++a) {
-    for (int b = 0; b <= kEdgeSize; ++b) {
-      table.values.push_back(
-          static_cast<Real>(ghosts({h_ * a / kEdgeSize, h_ * b / kEdgeSize, 0}, 2)));
-    }
-  }
-  return table;
-}
-
-template <class Real>
-typename BoundaryDensity<Real>::EdgeTable::Sample BoundaryDensity<Real>::EdgeTable::at(
-    Real a, Real b) const {
-  a = std::max(a, Real(0)) * per_m;
-  b = std::max(b, Real(0)) * per_m;
-  if (!(a < kEdgeSize && b < kEdgeSize)) return {0, 0, 0};
-  const auto row = static_cast<std::size_t>(a);
-  const auto column = static_cast<std::size_t>(b);
-  const Real u = a - static_cast<Real>(row);
-  const Real v = b - static_cast<Real>(column);
-  const Real* low = &values[row * (kEdgeSize + 1) + column];
-  const Real* high = low + kEdgeSize + 1;
-  const Real at_low = low[0] + v * (low[1] - low[0]);
-  const Real at_high = high[0] + v * (high[1] - high[0]);
-  const Real slope_b = (1 - u) * (low[1] - low[0]) + u * (high[1] - high[0]);
-  return {at_low + u * (at_high - at_low), (at_high - at_low) * per_m, slope_b * per_m};
-}
-
-template <class Real>
-std::vector<Real> BoundaryDensity<Real>::corner() const {
-  std::vector<Real> values;
-  const double step = h_ / kCornerSize;
-  values.reserve((kCornerSize + 1) * (kCornerSize + 1) * (kCornerSize + 1));
-  for (int a = 0; a <= kCornerSize; ++a) {
-    for (int b = 0; b <= kCornerSize; ++b) {
-      for (int c = 0; c <= kCornerSize; ++c) {
-        values.push_back(static_cast<Real>(ghosts({a * step, b * step, c * step}, 3)));
-      }
-    }
-  }
-  return values;
-}
-
-/// Adds the overlap of three walls, interpolated linearly in the table.
-template <class Real>
-void BoundaryDensity<Real>::addCorner(const std::array<NearSurface<Real>, 3>& walls,
-                                      WallSample<Real>& sample) const {
-  const Real per_m = static_cast<Real>(kCornerSize / h_);
-  std::array<std::size_t, 3> cell{};
-  std::array<Real, 3> part{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Real place = std::max(walls[k].gap + radius_, Real(0)) * per_m;
-    cell[k] = std::min(static_cast<std::size_t>(place), std::size_t(kCornerSize - 1));
-    part[k] = place - static_cast<Real>(cell[k]);
-  }
-  for (std::size_t node = 0; node < 8; ++node) {
-    const std::array<std::size_t, 3> up{node >> 2, node >> 1 & 1, node & 1};
-    std::size_t place = 0;
-    std::array<Real, 3> weight{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      place = place * (kCornerSize + 1) + cell[k] + up[k];
-      weight[k] = up[k] ? part[k] : 1 - part[k];
-    }
-    const Real value = corner_[place];
-    sample.value += value * weight[0] * weight[1] * weight[2];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Real slope = (up[k] ? per_m : -per_m) * weight[(k + 1) % 3] * weight[(k + 2) % 3];
-      sample.gradient += (value * slope) * walls[k].normal;
-    }
-  }
-}
-
-/// Half spaces of all surfaces, minus the overlaps of two, plus the overlap of three.
-template <class Real>
-WallSample<Real> BoundaryDensity<Real>::sumOf(const NearSurfaces<Real>& near,
-                                              const DistanceTable<Real>& table) const {
-  const NearSurface<Real>* surfaces = near.begin();
-  WallSample<Real> sample;
-  for (int a = 0; a < near.count; ++a) {
-    const NearSurface<Real>& one = surfaces[a];
-    const auto [density, slope] = table.at(one.gap + radius_);
-    sample.value += density;
-    sample.gradient += slope * one.normal;
-    for (int b = a + 1; b < near.count; ++b) {
-      const NearSurface<Real>& two = surfaces[b];
-      if (two.axis == one.axis) continue;
-      const auto shared = edge_.at(one.gap + radius_, two.gap + radius_);
-      sample.value -= shared.value;
-      sample.gradient -= shared.slope_a * one.normal;
-      sample.gradient -= shared.slope_b * two.normal;
-      for (int c = b + 1; c < near.count; ++c) {
-        if (surfaces[c].axis != two.axis) addCorner({one, two, surfaces[c]}, sample);
-      }
-    }
-  }
-  return sample;
-}
-
-/// The floor, and the part of the other half spaces that lies below the rim. Both fade out where a
-/// point above the wall counts as outside. An abrupt end would be a step in the density, which
-/// ejects particles that cross it.
-/// @param near surfaces near rim.below
-template <class Real>
-WallSample<Real> BoundaryDensity<Real>::nearRim(const Rim<Real>& rim, const Vec3<Real>& local,
-                                                NearSurfaces<Real> near) const {
-  NearSurfaces<Real> floor;
-  for (NearSurface<Real>& wall : near) {
-    if (wall.axis != 2) continue;
-    wall.gap += local.z() - rim.below.z();
-    floor.add(wall);
-  }
-  const DistanceTable<Real>& flat = tables_.front();
-  const auto [half, slope] = flat.at(std::abs(rim.above));
-  const Real whole = 2 * flat.at(Real(0)).first;
-  const Real share = rim.above < 0 ? 1 - half / whole : half / whole;
-  const WallSample<Real> bottom = sumOf(floor, flat), all = sumOf(near, flat);
-  WallSample<Real> sample;
-  sample.value = bottom.value + share * (all.value - bottom.value);
-  sample.gradient = bottom.gradient + share * (all.gradient - bottom.gradient);
-  sample.gradient.z() += slope / whole * (all.value - bottom.value);
-  fadeOverWall(rim, sample);
-  return sample;
-}
-
-template <class Real>
-void BoundaryDensity<Real>::fadeOverWall(const Rim<Real>& rim, WallSample<Real>& sample) const {
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    if (rim.over[axis] <= 0) continue;
-    const Real kept = std::max(Real(0), 1 - rim.over[axis] / rim.width[axis]);
-    sample.gradient *= kept;
-    sample.gradient[int(axis)] -= rim.side[axis] * sample.value / rim.width[axis];
-    sample.value *= kept;
-  }
+void BoundaryDensity<Real>::sortColliders() {
+  const auto rank = [&](std::size_t k) {
+    const Shape<Real>& shape = colliders_[k].shape;
+    return shape.hollow() ? 0 : shape.flat() && !shape.box() ? 1 : 2;
+  };
+  order_.resize(colliders_.count());
+  std::iota(order_.begin(), order_.end(), std::size_t(0));
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
 }
 
 template <class Real>
 WallSample<Real> BoundaryDensity<Real>::at(const Vec3<Real>& point) const {
-  WallSample<Real> sample;
-  const Real h = static_cast<Real>(h_);
-  for (std::size_t k = 0; k < colliders_.count(); ++k) {
+  WallSample<Real> sum;
+  SeenSolids<Real> seen;
+  for (const std::size_t k : order_) {
     const Shape<Real>& shape = colliders_[k].shape;
-    const Pose<Real>& pose = colliders_[k].motion.to;
-    const Vec3<Real> local = pose.toLocal(point);
-    const auto rim = shape.rim(local, h);
-    const NearSurfaces<Real> near = shape.near(rim ? rim->below : local, h);
-    if (near.count == 0) continue;
-    const WallSample<Real> one =
-        rim ? nearRim(*rim, local, near) : sumOf(near, tables_[table_of_[k]]);
-    if (one.value == 0) continue;
-    if (!shape.hollow()) {
-      const NearSurface<Real>& nearest = *near.begin();
-      const Vec3<Real> to_foot = (nearest.gap + radius_) * (pose.rotation * nearest.normal);
-      if (colliders_.hidden(point, point - to_foot, true)) continue;
+    const WallSample<Real> one = shape.hollow() ? ofContainer(k, point, seen)
+                                 : shape.box()  ? ofBox(k, point, seen)
+                                                : ofSurface(k, point, seen);
+    sum.value += one.value;
+    sum.gradient += one.gradient;
+  }
+  return sum;
+}
+
+template <class Real>
+WallSample<Real> BoundaryDensity<Real>::ofContainer(std::size_t collider, const Vec3<Real>& point,
+                                                    SeenSolids<Real>& seen) const {
+  const Shape<Real>& shape = colliders_[collider].shape;
+  const Pose<Real>& pose = colliders_[collider].motion.to;
+  const Vec3<Real> local = pose.toLocal(point);
+  WallSample<Real> sample = container_->at(shape, local);
+  sample.gradient = pose.rotation * sample.gradient;
+  if (!overlap_ || sample.value == 0) return sample;
+  const auto rim = shape.rim(local, support_);
+  for (const NearSurface<Real>& wall : shape.near(rim ? rim->below : local, support_)) {
+    SolidFace<Real> face{wall.gap + radius_, pose.rotation * wall.normal};
+    face.flat = true;
+    if (rim && wall.axis != 2) {
+      const auto [share, slope] = container_->shareBelow(*rim);
+      face.share = share;
+      face.share_gradient = slope * pose.rotation.col(2);
+    } else if (rim) {
+      face.distance += local.z() - rim->below.z();
     }
-    sample.value += one.value;
-    sample.gradient += pose.rotation * one.gradient;
+    seen.faces.add(face);
   }
   return sample;
 }
 
+/// Of a plane or a ball.
+template <class Real>
+WallSample<Real> BoundaryDensity<Real>::ofSurface(std::size_t collider, const Vec3<Real>& point,
+                                                  SeenSolids<Real>& seen) const {
+  const Shape<Real>& shape = colliders_[collider].shape;
+  const Pose<Real>& pose = colliders_[collider].motion.to;
+  const NearSurfaces<Real> near = shape.near(pose.toLocal(point), support_);
+  if (near.count == 0) return {};
+  const NearSurface<Real>& surface = *near.begin();
+  SolidFace<Real> face{surface.gap + radius_, pose.rotation * surface.normal};
+  face.flat = shape.flat();
+  const auto [value, slope] = (face.flat ? *flat_ : balls_[collider]).at(face.distance);
+  WallSample<Real> sample{value, slope * face.normal};
+  if (!overlap_ || value == 0) return sample;
+  if (!face.flat) {
+    const Real from_centre = std::max(shape.curvatureRadius() + face.distance, radius_);
+    face.turning = (Mat3<Real>::Identity() - face.normal * face.normal.transpose()) / from_centre;
+    setShare(sample, face);
+  }
+  for (const SolidFace<Real>& other : seen.faces) takeOff(other, face, *overlap_, *flat_, sample);
+  seen.faces.add(face);
+  return sample;
+}
+
+template <class Real>
+WallSample<Real> BoundaryDensity<Real>::ofBox(std::size_t collider, const Vec3<Real>& point,
+                                              SeenSolids<Real>& seen) const {
+  const Pose<Real>& pose = colliders_[collider].motion.to;
+  const Vec3<Real> local = pose.toLocal(point);
+  const AlignedBox<Real> solid = *colliders_[collider].shape.box();
+  SolidBox<Real> box{{solid.low - local, solid.high - local}, pose.rotation, seen.faces.count()};
+  std::array<bool, SeenSolids<Real>::kMaxFaces> counted{};
+  WallSample<Real> sample = cutBox(seen, box, counted);
+  if (sample.value == 0) return {};
+  for (const SolidBox<Real>& other : seen.boxes) {
+    AlignedBox<Real> common;
+    if (!commonPart(other, box, common)) continue;
+    counted[other.face] = true;
+    const WallSample<Real> both = box_->at(common);
+    sample.value -= both.value;
+    sample.gradient -= both.gradient;
+  }
+  sample.gradient = pose.rotation * sample.gradient;
+  if (!overlap_) return sample;
+  SolidFace<Real> face = faceOf(box);
+  setShare(sample, face);
+  std::size_t k = 0;
+  for (const SolidFace<Real>& other : seen.faces) {
+    if (!counted[k++]) takeOff(other, face, *overlap_, *flat_, sample);
+  }
+  if (seen.faces.count() < counted.size()) seen.boxes.add(box);
+  seen.faces.add(face);
+  return sample;
+}
+
+/// Cuts off what lies behind flat faces parallel to its sides. Walls that end at a rim cut by their
+/// share.
+template <class Real>
+template <class Marks>
+WallSample<Real> BoundaryDensity<Real>::cutBox(const SeenSolids<Real>& seen, SolidBox<Real>& box,
+                                               Marks& counted) const {
+  const SolidFace<Real>* rim = nullptr;
+  std::size_t k = 0;
+  for (const SolidFace<Real>& face : seen.faces) {
+    if (face.share == 1) counted[k] = cutBehind(face, box);
+    ++k;
+  }
+  SolidBox<Real> below = box;
+  k = 0;
+  for (const SolidFace<Real>& face : seen.faces) {
+    if (face.share < 1 && cutBehind(face, below)) {
+      counted[k] = true;
+      rim = &face;
+    }
+    ++k;
+  }
+  WallSample<Real> sample = box_->at(box.box);
+  if (!rim) return sample;
+  const WallSample<Real> cut = box_->at(below.box);
+  sample.gradient += rim->share * (cut.gradient - sample.gradient) +
+                     (cut.value - sample.value) * (box.axes.transpose() * rim->share_gradient);
+  sample.value += rim->share * (cut.value - sample.value);
+  return sample;
+}
+
+/// The plane through the closest point of a box.
+template <class Real>
+SolidFace<Real> BoundaryDensity<Real>::faceOf(const SolidBox<Real>& box) const {
+  const Vec3<Real> closest = Vec3<Real>::Zero().cwiseMax(box.box.low).cwiseMin(box.box.high);
+  const Real distance = closest.norm();
+  if (distance > 0) {
+    const Vec3<Real> normal = -closest / distance;
+    const Vec3<Real> beyond = (closest.array() != 0).template cast<Real>();
+    const Mat3<Real> turning =
+        (Mat3<Real>(beyond.asDiagonal()) - normal * normal.transpose()) / distance;
+    return {distance, box.axes * normal, box.axes * turning * box.axes.transpose()};
+  }
+  int axis;
+  const Vec3<Real> depth = (-box.box.low).cwiseMin(box.box.high);
+  depth.minCoeff(&axis);
+  const Real side = -box.box.low[axis] > depth[axis] ? Real(1) : Real(-1);
+  return {0, side * box.axes.col(axis)};
+}
+
+template <class Real>
+void BoundaryDensity<Real>::setShare(const WallSample<Real>& sample, SolidFace<Real>& face) const {
+  const auto [whole, slope] = flat_->at(face.distance);
+  if (!(whole > 0)) return;
+  face.share = sample.value / whole;
+  face.share_gradient = (sample.gradient - face.share * slope * face.normal) / whole;
+}
+
 template <class Real>
 std::size_t BoundaryDensity<Real>::bytes() const {
-  std::size_t total = (edge_.values.capacity() + corner_.capacity()) * sizeof(Real) +
-                      table_of_.capacity() * sizeof(std::size_t);
-  for (const DistanceTable<Real>& table : tables_) total += table.bytes();
+  std::size_t total = flat_->bytes() + order_.capacity() * sizeof(std::size_t);
+  if (container_) total += container_->bytes();
+  if (box_) total += box_->bytes();
+  if (overlap_) total += overlap_->bytes();
+  for (const DistanceTable<Real>& ball : balls_) total += ball.bytes();
   return total;
 }
 
