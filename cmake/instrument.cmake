@@ -4,8 +4,9 @@ set_property(CACHE IIB_INSTRUMENT PROPERTY STRINGS "" address thread coverage co
 
 if(IIB_INSTRUMENT STREQUAL "address")
   # float-cast-overflow is not part of undefined, but is how a wild position becomes a cell key.
-  # fuzzer-no-link counts branches, which the fuzzers of test/fuzz follow; they share this build.
-  set(flags -fsanitize=address,undefined,float-cast-overflow,fuzzer-no-link -fno-sanitize-recover=all
+  # The counters of branches are for the fuzzers of test/fuzz, which share this build.
+  set(flags -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
+    -fsanitize-coverage=inline-8bit-counters,pc-table
     -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/ubsan_ignored.txt)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
 elseif(IIB_INSTRUMENT STREQUAL "thread")

@@ -6,6 +6,7 @@
 #include <rosgraph_msgs/Clock.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ice_ice_baby {
 
@@ -73,7 +74,11 @@ ros::Time ClockPublisher::frameStamp(const FrameBegin& frame, bool announced) {
     }
   }
   const ros::Time now = ros::Time::now();
-  if (origin_.isZero()) origin_ = now;
+  // Differences of ros::Time throw beyond 68 years.
+  if (origin_.isZero() || std::abs(double(now.sec) - double(origin_.sec)) > 1e9) {
+    origin_ = now;
+    stamps_.restart();
+  }
   if (frame.stepped) {
     stamps_.restart();
     return now;

@@ -1,5 +1,6 @@
 #include "diagnostics.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "heat_status.h"
@@ -105,8 +106,12 @@ void Diagnostics::speed(Status& status) {
 
 /// A robot in real time does not wait for slow water.
 void Diagnostics::addRobot(Status& status, const Snapshot& now) {
-  const bool fast = now.real_time_factor < kKeepsUp && !now.paused && now.report.frame > 60;
-  const bool robot = !ros::Time::isSimTime() && !of_.frames.followers().report().frames.empty();
+  const bool fast = now.real_time_factor > 0.0 && now.real_time_factor < kKeepsUp && !now.paused &&
+                    now.report.frame > 60;
+  const auto frames = of_.frames.followers().report().frames;
+  const bool robot =
+      !ros::Time::isSimTime() && std::any_of(frames.begin(), frames.end(),
+                                             [](const auto& frame) { return frame.rate_hz > 0.0; });
   if (!fast || !robot) {
     robot_warned_ = false;
     return;

@@ -13,6 +13,9 @@ namespace ice_ice_baby {
 
 namespace {
 
+/// Distance, m, and angle, rad, from which on a collider counts as behind its frame.
+constexpr double kBehind = 5e-4;
+
 PlaybackSettings settingsOf(const NodeParameters& parameters) {
   PlaybackSettings settings;
   settings.delay_s = parameters.tf_delay_s;
@@ -151,7 +154,7 @@ void Followers::moveOne(Simulation& simulation, const Target& target,
     lost.push_back(lineOf(follower, e.what()));
     return;
   }
-  if (step.behind_m > 0.0 || step.behind_rad > 0.0) noteBounded(follower, step);
+  if (step.behind_m >= kBehind || step.behind_rad >= kBehind) noteBounded(follower, step);
 }
 
 std::vector<std::string> Followers::lost() const {

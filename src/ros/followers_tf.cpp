@@ -63,16 +63,17 @@ void Followers::await(std::unique_lock<std::mutex>& lock, double stamp_s) {
     if (ready(follower, stamp_s)) continue;
     follower.late = true;
     report_.waits.count += 1;
-    report_.waits.latest = "collider " + follower.name +
-                           " waited 0.5 s for the transform of tf frame " + follower.frame +
-                           " and went on without it; the robot has to send one "
-                           "for each message on /clock, or at a steady rate";
+    report_.waits.latest =
+        "a frame waited 0.5 s for tf frame " + follower.frame + ", which collider " +
+        follower.name +
+        " follows, and went on without it; the robot has to send a transform for each "
+        "message on /clock, or at a steady rate";
     ROS_WARN("%s", report_.waits.latest.c_str());
   }
 }
 
-/// tf2 clears its buffer at the jump, but an old transform that arrives afterwards would make it
-/// reject all newer ones. So the buffer is cleared again once late transforms have arrived.
+/// TfFeed clears the buffer at the jump, but an old transform that arrives afterwards would make
+/// tf2 reject all newer ones. So the buffer is cleared again once late transforms have arrived.
 void Followers::clearAfterJump() {
   const ros::Time now = ros::Time::now();
   if (now < latest_) clear_at_ = ros::WallTime::now() + ros::WallDuration(0.5);

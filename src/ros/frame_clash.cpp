@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMaxNodes = 20;
 
 std::string messageOf(const std::string& frame, const std::string& node) {
-  return "tf frame " + frame + " is sent by " + node +
+  return "tf frame " + frame + " has been sent by " + node +
          " too, so data may appear at the wrong place; give each node a ~scene_frame of its own";
 }
 
@@ -23,7 +23,7 @@ FrameClash::FrameClash(ros::NodeHandle& node, const OwnFrames& own)
 
 std::string FrameClash::clash() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  // The only publisher left is this node.
+  // Where only this node is left to publish, the other one has ended.
   if (others_.empty() || static_.getNumPublishers() < 2) return "";
   return messageOf(others_.begin()->second, others_.begin()->first);
 }

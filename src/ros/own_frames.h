@@ -4,6 +4,7 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace ice_ice_baby {
 
@@ -16,7 +17,8 @@ class OwnFrames {
   }
   bool has(const std::string& name) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return names_.count(name) > 0;
+    const bool slash = !name.empty() && name.front() == '/';  // which tf2 ignores
+    return names_.count(name.substr(slash ? 1 : 0)) > 0;
   }
 
  private:

@@ -38,8 +38,6 @@ class PosePlayback {
 
   /// The next play() starts as the first one. Samples are kept.
   void restart() { started_ = false; }
-  /// Drops all samples; the motion continues from the last pose to the next samples.
-  void clear() { samples_.clear(); }
 
   const PoseSamples& samples() const { return samples_; }
   /// Stamp of the newest sample that a frame with this stamp needs, s, once the delay has changed

@@ -147,7 +147,8 @@ PoseSamples::Reading PoseSamples::end(bool fit) const {
     --from;
   }
   const double interval_s = stamp_s - all_[from].sample.stamp_s;
-  if (interval_s > 0.0 && interval_s <= kLongest_s) reading = line(from, count() - 1, stamp_s);
+  if (interval_s >= kShortest_s && interval_s <= kLongest_s)
+    reading = line(from, count() - 1, stamp_s);
   reading.source = Source::kEnd;
   reading.pose = newest().pose;
   reading.segment = all_.back().segment;
@@ -164,9 +165,19 @@ PoseSamples::Reading PoseSamples::line(std::size_t from, std::size_t to, double 
   reading.source = Source::kLine;
   reading.pose.position = a.pose.position + share * (b.pose.position - a.pose.position);
   reading.pose.rotation = a.pose.rotation * rotationBy(share * turn);
-  reading.velocity_m_s = (b.pose.position - a.pose.position) / interval_s;
-  reading.spin_rad_s = a.pose.rotation * turn / interval_s;
   reading.segment = all_[from].segment;
+  // Over nearly equal stamps noise would be any velocity.
+  std::size_t first = from;
+  while (first > 0 && all_[first - 1].segment == reading.segment &&
+         b.stamp_s - all_[first].sample.stamp_s < kShortest_s) {
+    --first;
+  }
+  const PoseSample& c = all_[first].sample;
+  const double long_s = b.stamp_s - c.stamp_s;
+  if (long_s < kShortest_s) return reading;
+  reading.velocity_m_s = (b.pose.position - c.pose.position) / long_s;
+  reading.spin_rad_s =
+      c.pose.rotation * turnOf(c.pose.rotation.transpose() * b.pose.rotation) / long_s;
   return reading;
 }
 
@@ -196,7 +207,7 @@ bool PoseSamples::fitted(std::size_t centre, double stamp_s, Reading& reading) c
     ++used;
   }
   const double spread = sum_w * sum_tt - sum_t * sum_t;
-  if (used < kFewest || spread <= 0.0) return false;
+  if (used < kFewest || spread <= std::pow(sum_w * kShortest_s, 2)) return false;
   const Vec6 slope = (sum_w * sum_ty - sum_t * sum_y) / spread;
   const Vec6 value = (sum_y - sum_t * slope) / sum_w;
   reading.source = Source::kFit;

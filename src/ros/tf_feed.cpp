@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 
+#include <utility>
+
 namespace ice_ice_baby {
 
 namespace {
@@ -36,7 +38,12 @@ void TfFeed::take(const Event& event, bool is_static) {
   watch_.see(event);
   const std::string sender = event.getPublisherName();
   for (const auto& transform : event.getConstMessage()->transforms) {
-    if (!own_.has(transform.child_frame_id)) buffer_.setTransform(transform, sender, is_static);
+    if (own_.has(transform.child_frame_id)) continue;
+    try {
+      buffer_.setTransform(transform, sender, is_static);
+    } catch (const tf2::TransformException& e) {
+      ROS_ERROR("tf from %s: %s", sender.c_str(), e.what());
+    }
   }
   arrived_();
 }

@@ -18,7 +18,8 @@ namespace ice_ice_baby {
 /// out: whoever sends them puts them into the buffer itself.
 class TfFeed {
  public:
-  /// All arguments must outlive this object. @param arrived called on a thread of this object
+  /// `buffer`, `own` and `watch` must outlive this object. @param arrived called on a thread of
+  /// this object
   TfFeed(const ros::NodeHandle& node, tf2_ros::Buffer& buffer, const OwnFrames& own, TfWatch& watch,
          std::function<void()> arrived);
 

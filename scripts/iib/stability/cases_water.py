@@ -345,9 +345,10 @@ def fastest_spin(run):
         )
 
 
-@case()
+@case(rise=0.05, because="a knot in the sheet is crushed")
 def sheet_under_load(run):
     """A sheet falls onto a sphere at a hundred times its weight: contained, the springs hold"""
     block = "blocks=[{min_m: [-0.4, -0.4, 0.5], max_m: [0.4, 0.4, 0.55], sheet: true}]"
-    ball = "spheres=[{name: ball, position_m: [0, 0, 0.25], radius_m: 0.15}]"
-    run("splash", block, ball, tank(1, 1, 1), "gravity_m_s2=[0, 0, -981]", duration_s=2)
+    for place in ("0, 0, 0.25", "0, 0, 0.252", "0, 0.001, 0.25", "0.005, 0.005, 0.25"):
+        ball = f"spheres=[{{name: ball, position_m: [{place}], radius_m: 0.15}}]"
+        run("splash", block, ball, tank(1, 1, 1), "gravity_m_s2=[0, 0, -981]", duration_s=2)

@@ -11,8 +11,9 @@
 namespace ice_ice_baby {
 
 /// Quadratic B-spline through given values. Its gradient is exactly that of its value and is
-/// continuous, so a force that follows from it conserves energy. Constant along an axis beyond the
-/// first and the last node.
+/// continuous, so a force that follows from it conserves energy. Constant along an axis from half a
+/// step inside the first and the last node on. The value has a step there unless the function is
+/// constant at that end, so callers add nodes beyond what they use.
 template <class Real>
 class SplineGrid {
  public:
@@ -42,8 +43,6 @@ class SplineGrid {
     for (std::size_t axis = 0; axis < 3; ++axis) interpolate(values, axis);
     coefficients_.assign(values.begin(), values.end());
   }
-
-  bool empty() const { return coefficients_.empty(); }
 
   Sample at(const Vec3<Real>& point) const {
     const std::array<Weights, 3> w{weights(0, point[0]), weights(1, point[1]),

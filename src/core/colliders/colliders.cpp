@@ -52,8 +52,8 @@ bool Colliders<Real>::anyFlat() const {
 }
 
 template <class Real>
-bool Colliders<Real>::hidden(const Vec3<Real>& point, const Vec3<Real>& place, bool flush) const {
-  const Real slack = Real(flush ? -1e-3 : 1e-3) * radius_m_;
+bool Colliders<Real>::hidden(const Vec3<Real>& point, const Vec3<Real>& place) const {
+  const Real slack = Real(1e-3) * radius_m_;
   return std::any_of(begin(), end(), [&](const MovingShape<Real>& collider) {
     if (!collider.shape.hollow()) return false;
     const Pose<Real>& pose = collider.motion.to;

@@ -52,9 +52,8 @@ class Colliders {
   Vec3<Real> respond(const Vec3<Real>& from, const Vec3<Real>& to, bool stick) const;
 
   /// Whether `place` lies behind a wall of the collider that contains the point: a ground just
-  /// below a container must not count in addition to its floor.
-  /// @param flush whether a place flush with the wall counts as behind it
-  bool hidden(const Vec3<Real>& point, const Vec3<Real>& place, bool flush) const;
+  /// below a container must not heat water in addition to its floor.
+  bool hidden(const Vec3<Real>& point, const Vec3<Real>& place) const;
 
   /// Sets the poses at the start and the end of the next substep.
   /// @param begin, end fractions of the frame

@@ -53,14 +53,21 @@ void BoundaryDensity<Real>::buildTables(const RestLattice& lattice) {
   };
   for (const MovingShape<Real>& collider : colliders_) {
     if (collider.shape.box() && !box_) box_.emplace(wallKernel());
-    balls_.push_back(collider.shape.flat()
-                         ? DistanceTable<Real>()
-                         : ballTable<Real>(wallKernel(), double(collider.shape.curvatureRadius())));
+    ball_of_.push_back(0);
+    if (collider.shape.flat()) continue;
+    const Real radius = collider.shape.curvatureRadius();
+    const auto same = std::find_if(balls_.begin(), balls_.end(),
+                                   [&](const Ball& ball) { return ball.radius == radius; });
+    ball_of_.back() = std::size_t(same - balls_.begin());
+    if (same == balls_.end()) {
+      balls_.push_back({radius, ballTable<Real>(wallKernel(), double(radius))});
+    }
   }
   if (colliders_.count() > 1) overlap_.emplace(wallKernel());
 }
 
-/// What two solids share is taken off the later one, so those that others end at come first.
+/// What two solids share is taken off the later one, so containers and grounds come before plates
+/// and spheres.
 template <class Real>
 void BoundaryDensity<Real>::sortColliders() {
   const auto rank = [&](std::size_t k) {
@@ -124,7 +131,8 @@ WallSample<Real> BoundaryDensity<Real>::ofSurface(std::size_t collider, const Ve
   const NearSurface<Real>& surface = *near.begin();
   SolidFace<Real> face{surface.gap + radius_, pose.rotation * surface.normal};
   face.flat = shape.flat();
-  const auto [value, slope] = (face.flat ? *flat_ : balls_[collider]).at(face.distance);
+  const auto [value, slope] =
+      (face.flat ? *flat_ : balls_[ball_of_[collider]].table).at(face.distance);
   WallSample<Real> sample{value, slope * face.normal};
   if (!overlap_ || value == 0) return sample;
   if (!face.flat) {
@@ -147,14 +155,16 @@ WallSample<Real> BoundaryDensity<Real>::ofBox(std::size_t collider, const Vec3<R
   std::array<bool, SeenSolids<Real>::kMaxFaces> counted{};
   WallSample<Real> sample = cutBox(seen, box, counted);
   if (sample.value == 0) return {};
+  BoxList commons;
   for (const SolidBox<Real>& other : seen.boxes) {
     AlignedBox<Real> common;
     if (!commonPart(other, box, common)) continue;
     counted[other.face] = true;
-    const WallSample<Real> both = box_->at(common);
-    sample.value -= both.value;
-    sample.gradient -= both.gradient;
+    commons.add(common);
   }
+  const WallSample<Real> shared = ofAny(commons, 0, box.box);
+  sample.value -= shared.value;
+  sample.gradient -= shared.gradient;
   sample.gradient = pose.rotation * sample.gradient;
   if (!overlap_) return sample;
   SolidFace<Real> face = faceOf(box);
@@ -166,6 +176,22 @@ WallSample<Real> BoundaryDensity<Real>::ofBox(std::size_t collider, const Vec3<R
   if (seen.faces.count() < counted.size()) seen.boxes.add(box);
   seen.faces.add(face);
   return sample;
+}
+
+/// Of what lies in a box and in any of the others from `first` on, by inclusion and exclusion.
+template <class Real>
+WallSample<Real> BoundaryDensity<Real>::ofAny(const BoxList& others, std::size_t first,
+                                              const AlignedBox<Real>& box) const {
+  WallSample<Real> sum;
+  for (std::size_t k = first; k < others.count(); ++k) {
+    const AlignedBox<Real>& other = others.begin()[k];
+    const AlignedBox<Real> both{box.low.cwiseMax(other.low), box.high.cwiseMin(other.high)};
+    if ((both.low.array() >= both.high.array()).any()) continue;
+    const WallSample<Real> one = box_->at(both), again = ofAny(others, k + 1, both);
+    sum.value += one.value - again.value;
+    sum.gradient += one.gradient - again.gradient;
+  }
+  return sum;
 }
 
 /// Cuts off what lies behind flat faces parallel to its sides. Walls that end at a rim cut by their
@@ -206,8 +232,8 @@ SolidFace<Real> BoundaryDensity<Real>::faceOf(const SolidBox<Real>& box) const {
   if (distance > 0) {
     const Vec3<Real> normal = -closest / distance;
     const Vec3<Real> beyond = (closest.array() != 0).template cast<Real>();
-    const Mat3<Real> turning =
-        (Mat3<Real>(beyond.asDiagonal()) - normal * normal.transpose()) / distance;
+    const Mat3<Real> turning = (Mat3<Real>(beyond.asDiagonal()) - normal * normal.transpose()) /
+                               std::max(distance, radius_);
     return {distance, box.axes * normal, box.axes * turning * box.axes.transpose()};
   }
   int axis;
@@ -221,17 +247,20 @@ template <class Real>
 void BoundaryDensity<Real>::setShare(const WallSample<Real>& sample, SolidFace<Real>& face) const {
   const auto [whole, slope] = flat_->at(face.distance);
   if (!(whole > 0)) return;
-  face.share = sample.value / whole;
-  face.share_gradient = (sample.gradient - face.share * slope * face.normal) / whole;
+  const Real share = sample.value / whole;
+  if (share >= 1) return;  // rounding: a convex solid lies within its half space
+  face.share = std::max(share, Real(0));
+  if (share > 0) face.share_gradient = (sample.gradient - share * slope * face.normal) / whole;
 }
 
 template <class Real>
 std::size_t BoundaryDensity<Real>::bytes() const {
-  std::size_t total = flat_->bytes() + order_.capacity() * sizeof(std::size_t);
+  std::size_t total =
+      flat_->bytes() + (order_.capacity() + ball_of_.capacity()) * sizeof(std::size_t);
   if (container_) total += container_->bytes();
   if (box_) total += box_->bytes();
   if (overlap_) total += overlap_->bytes();
-  for (const DistanceTable<Real>& ball : balls_) total += ball.bytes();
+  for (const Ball& ball : balls_) total += ball.table.bytes();
   return total;
 }
 

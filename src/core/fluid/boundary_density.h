@@ -38,6 +38,10 @@ class BoundaryDensity {
   std::size_t bytes() const;
 
  private:
+  struct Ball {
+    Real radius;
+    DistanceTable<Real> table;  ///< density over the distance from its surface
+  };
   void sortColliders();
   void buildTables(const RestLattice& lattice);
   WallSample<Real> ofContainer(std::size_t collider, const Vec3<Real>& point,
@@ -48,6 +52,9 @@ class BoundaryDensity {
                          SeenSolids<Real>& seen) const;
   template <class Marks>
   WallSample<Real> cutBox(const SeenSolids<Real>& seen, SolidBox<Real>& box, Marks& counted) const;
+  using BoxList = ShortList<AlignedBox<Real>, SeenSolids<Real>::kMaxBoxes>;
+  WallSample<Real> ofAny(const BoxList& others, std::size_t first,
+                         const AlignedBox<Real>& box) const;
   SolidFace<Real> faceOf(const SolidBox<Real>& box) const;
   void setShare(const WallSample<Real>& sample, SolidFace<Real>& face) const;
 
@@ -55,11 +62,12 @@ class BoundaryDensity {
   Real support_;
   Real radius_;
   std::unique_ptr<DistanceTable<Real>> flat_;        ///< at a fixed address
-  std::optional<ContainerDensity<Real>> container_;  ///< only with what they describe in the scene
+  std::optional<ContainerDensity<Real>> container_;  ///< these three: only if the scene needs them
   std::optional<BoxDensity<Real>> box_;
   std::optional<OverlapDensity<Real>> overlap_;
-  std::vector<std::size_t> order_;          ///< of the colliders
-  std::vector<DistanceTable<Real>> balls_;  ///< for each collider; empty unless it is round
+  std::vector<std::size_t> order_;    ///< of the colliders
+  std::vector<Ball> balls_;           ///< one for each radius
+  std::vector<std::size_t> ball_of_;  ///< for each collider that is round
 };
 
 }  // namespace ice_ice_baby

@@ -6,7 +6,8 @@
 
 namespace ice_ice_baby {
 
-/// Integral of W* over what lies behind both of two half spaces. It counts twice if both count.
+/// Integral of W* over what lies behind both of two half spaces. Adding both half spaces counts it
+/// twice.
 template <class Real>
 class OverlapDensity {
  public:

@@ -1,5 +1,7 @@
 #include "fluid/solid_faces.h"
 
+#include <algorithm>
+
 namespace ice_ice_baby {
 
 namespace {

@@ -48,10 +48,10 @@ struct SolidBox {
 /// What a point has seen of the solids so far.
 template <class Real>
 struct SeenSolids {
-  static constexpr std::size_t kMaxFaces = 16;
+  static constexpr std::size_t kMaxFaces = 16, kMaxBoxes = 8;
 
   ShortList<SolidFace<Real>, kMaxFaces> faces;
-  ShortList<SolidBox<Real>, 8> boxes;
+  ShortList<SolidBox<Real>, kMaxBoxes> boxes;
 };
 
 /// Cuts off what lies behind a flat face.
@@ -64,8 +64,8 @@ bool cutBehind(const SolidFace<Real>& face, SolidBox<Real>& box);
 template <class Real>
 bool commonPart(const SolidBox<Real>& a, const SolidBox<Real>& b, AlignedBox<Real>& common);
 
-/// Takes off the density of a solid what lies behind the face of another solid, as if both were
-/// planes.
+/// Subtracts from the density of a solid the part of it that lies behind the face of another solid,
+/// as if both were planes.
 /// @param solid density of the solid that is left
 /// @param face of that solid
 /// @param flat density of a flat wall over the distance to it

@@ -19,9 +19,9 @@ std::string percentText(double fraction) {
 std::string qualityWarning(const StepReport& report) {
   if (report.quality_met) return {};
   if (report.promised_error == 0.0) {
-    return "frames take more time than solver.budget allows with " +
+    return "frames take longer than solver.budget allows, even with the " +
            std::to_string(report.substeps) +
-           " substeps, which water needs to be stable; use a larger spacing, more threads or a "
+           " substeps that water needs to be stable; use a larger spacing, more threads or a "
            "larger "
            "budget";
   }

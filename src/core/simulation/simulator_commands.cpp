@@ -77,7 +77,8 @@ void Simulator<Real>::placeColliders(const std::vector<ColliderPlacement>& place
   std::vector<Jump<Real>> jumps;
   for (const auto& [name, pose] : placements) {
     const Posed now = colliders_.pose(name);
-    if (still(now.position, pose.position) && now.rotation == pose.rotation) continue;
+    const bool there = still(now.position, pose.position) && now.rotation == pose.rotation;
+    if (there && !colliders_moving_) continue;
     jumps.push_back(colliders_.place(name, pose));
   }
   if (jumps.empty()) return;

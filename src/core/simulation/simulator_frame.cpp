@@ -60,9 +60,11 @@ void Simulator<Real>::updateSleep() {
 
 template <class Real>
 void Simulator<Real>::chooseSubsteps(double frame_wall_s) {
-  if (!scene_.adaptsSubsteps() || report_.asleep || springsCorrect()) return;
+  if (!scene_.adaptsSubsteps() || report_.asleep) return;
+  substep_control_.measure(scene_, frame_wall_s);
+  if (springsCorrect()) return;
   const int before = substep_control_.substeps();
-  substep_control_.follow(scene_, report_, frame_wall_s);
+  substep_control_.follow(scene_, report_);
   const int next = substep_control_.substeps();
   if (next != before) fluid_->rescale(double(before) / next);
 }

@@ -33,8 +33,7 @@ SubstepControl::SubstepControl(const Scene& scene)
 /// water under pressure, before it is compressed, and follows the error only while that of the run
 /// comes near the promise. It falls by one per frame at most, so that a calm frame does not leave
 /// too few for the next one.
-void SubstepControl::follow(const Scene& scene, const StepReport& report, double frame_wall_s) {
-  measure(scene, frame_wall_s);
+void SubstepControl::follow(const Scene& scene, const StepReport& report) {
   const bool budgeted = scene.solver.budget > 0.0;
   const double wanted = budgeted ? wantedForBudget(scene, report) : wantedForError(scene, report);
   const double fewest = std::max(fewest_, substeps_ - 1);

@@ -18,11 +18,13 @@ class SubstepControl {
   /// Of the next frame.
   int substeps() const { return substeps_; }
 
+  /// Notes the wall time of the frame that ends.
+  void measure(const Scene& scene, double frame_wall_s);
+
   /// Chooses the number for the next frame.
   /// @param scene values in force; solver.target_error is the promised error, 0 for none
   /// @param report of the frame that ends
-  /// @param frame_wall_s wall time that it took
-  void follow(const Scene& scene, const StepReport& report, double frame_wall_s);
+  void follow(const Scene& scene, const StepReport& report);
 
   /// Whether the last second of frames took at most solver.budget of real time. True without one.
   bool withinBudget(const Scene& scene) const;
@@ -38,7 +40,6 @@ class SubstepControl {
  private:
   double wantedForError(const Scene& scene, const StepReport& report) const;
   double wantedForBudget(const Scene& scene, const StepReport& report) const;
-  void measure(const Scene& scene, double frame_wall_s);
 
   int substeps_;
   int fewest_;                   ///< that the error may bring it down to

@@ -79,7 +79,7 @@ void ThermalBoundaries<Real>::forEachNear(const Vec3<Real>& point, Real reach,
     const Pose<Real>& pose = colliders_[k].motion.to;
     for (const NearSurface<Real>& near : shape.near(pose.toLocal(point), reach)) {
       const Vec3<Real> foot = point - near.distance * (pose.rotation * near.normal);
-      if (!shape.hollow() && colliders_.hidden(point, foot, false)) continue;
+      if (!shape.hollow() && colliders_.hidden(point, foot)) continue;
       visit(one, near.distance, near.flatness);
     }
   }

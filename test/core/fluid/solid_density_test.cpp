@@ -276,6 +276,18 @@ TEST(SolidDensityTest, TilesSideBySideAreOnePlate) {
   }
 }
 
+TEST(SolidDensityTest, PlatesInOnePlaceAreOnePlate) {
+  const Walls one = withPlate(plate({0.4, 0.4, 0.05}, {0, 0, 0}));
+  Scene scene = empty();
+  for (int count = 1; count <= 6; ++count) {
+    scene.planes.push_back(plate({0.4, 0.4, 0.05}, {0, 0, 0}, {0, 0, 90.0 * count}));
+    const Walls all(scene);
+    for (const double x : {0.0, 0.18, 0.21}) {
+      EXPECT_NEAR(all.at({x, 0.1, 0.03}), one.at({x, 0.1, 0.03}), 1e-9) << count << " " << x;
+    }
+  }
+}
+
 TEST(SolidDensityTest, FloatAgreesWithDouble) {
   const Scene scene = crowded();
   const Walls walls(scene);

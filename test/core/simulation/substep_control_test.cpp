@@ -21,7 +21,8 @@ class SubstepControlTest : public testing::Test {
     SubstepControl control(scene_);
     for (int k = 0; k < frames; ++k) {
       ++report_.frame;
-      control.follow(scene_, report_, substep_s * control.substeps());
+      control.measure(scene_, substep_s * control.substeps());
+      control.follow(scene_, report_);
     }
     within_ = control.withinBudget(scene_);
     return control.substeps();
@@ -69,7 +70,8 @@ TEST_F(SubstepControlTest, ANewBudgetIsFollowedOneByOne) {
     const int before = control.substeps();
     report_.frame = k + 1;
     if (k == 150) scene_.solver.budget = 0.1;
-    control.follow(scene_, report_, 5e-4 * control.substeps());
+    control.measure(scene_, 5e-4 * control.substeps());
+    control.follow(scene_, report_);
     EXPECT_LE(std::abs(control.substeps() - before), 1) << k;
   }
 }
