@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMaxNodes = 20;
 
 std::string messageOf(const std::string& frame, const std::string& node) {
-  return "tf frame " + frame + " has been sent by " + node +
+  return "tf frame " + frame + " is sent by " + node +
          " too, so data may appear at the wrong place; give each node a ~scene_frame of its own";
 }
 
