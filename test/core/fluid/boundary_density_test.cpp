@@ -4,38 +4,20 @@
 
 #include <memory>
 
-#include "fixtures.h"
-#include "particles/kernels.h"
+#include "fluid/walls.h"
 
 namespace ice_ice_baby {
 namespace boundary_density_test {
 
-constexpr double kSpacing_m = 0.05;
-constexpr double kSupport_m = 0.1;
+using test::Walls;
+
+constexpr double kSpacing_m = test::kWallSpacing_m;
+constexpr double kSupport_m = test::kWallSupport_m;
 /// Cell of the table of planes; slopes are constant within a cell, so differences stay inside one.
 constexpr double kCell_m = kSupport_m / 512;
 
-struct Walls {
-  explicit Walls(const Scene& s)
-      : scene(s),
-        colliders(scene, kSpacing_m / 2),
-        density(scene, colliders,
-                particleMass_kg(scene.fluid, kSupport_m) / scene.fluid.rest_density_kg_m3) {}
-  double at(const Vec3d& point) const { return density.at(point).value; }
-
-  Scene scene;
-  Colliders<double> colliders;
-  BoundaryDensity<double> density;
-};
-
-Scene empty() {
-  Scene scene;
-  scene.fluid.spacing_m = kSpacing_m;
-  return scene;
-}
-
 Scene tank(bool open_top) {
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   scene.containers.push_back(test::tankOf(Vec3d::Constant(0.4), open_top));
   return scene;
 }
@@ -56,14 +38,14 @@ const double kDistances[] = {20.5 * kCell_m, 128.5 * kCell_m, 250.5 * kCell_m, 4
                              600.5 * kCell_m};
 
 TEST(BoundaryDensityTest, PlaneGradientIsTheDifferenceOfItsValue) {
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   scene.planes.emplace_back();
   const Walls walls(scene);
   for (const double z : kDistances) expectGradient(walls, {0.3, -7, z}, 1e-8);
 }
 
 TEST(BoundaryDensityTest, TiltedPlaneCountsByItsNormalDistance) {
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   scene.planes.emplace_back();
   const Walls flat(scene);
   scene.planes[0].rpy_deg = {30, -50, 70};
@@ -153,7 +135,7 @@ TEST(BoundaryDensityTest, BoxIsTheSameFromEverySide) {
 }
 
 TEST(BoundaryDensityTest, ValueIsTheLatticeThatGoesOnBehindTheWall) {
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   scene.planes.emplace_back();
   const Walls walls(scene);
   const CubicSpline<double> kernel(kSupport_m);
@@ -172,7 +154,7 @@ TEST(BoundaryDensityTest, ValueIsTheLatticeThatGoesOnBehindTheWall) {
 }
 
 TEST(BoundaryDensityTest, SphereGradientIsTheDifferenceOfItsValue) {
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   scene.spheres.emplace_back();
   scene.spheres[0].radius_m = 0.3;
   scene.spheres[0].position_m = {1, -2, 0.5};
@@ -188,11 +170,11 @@ TEST(BoundaryDensityTest, SphereGradientIsTheDifferenceOfItsValue) {
 }
 
 TEST(BoundaryDensityTest, HugeSphereIsAFlatWall) {
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   scene.spheres.emplace_back();
   scene.spheres[0].radius_m = 100;
   const Walls walls(scene);
-  Scene flat = empty();
+  Scene flat = test::sceneOfWalls();
   flat.planes.emplace_back();
   const Walls ground(flat);
   // A ball of 100 m dips below its tangent plane by h^2 / 2 R = 5e-5 m, that is 1e-3 of 1 / h.
@@ -202,12 +184,12 @@ TEST(BoundaryDensityTest, HugeSphereIsAFlatWall) {
 }
 
 TEST(BoundaryDensityTest, SphereGrowsWithItsRadiusAndNeverExceedsAHalfSpace) {
-  Scene ground = empty();
+  Scene ground = test::sceneOfWalls();
   ground.planes.emplace_back();
   const double flat = Walls(ground).at({0, 0, 0.025});
   double before = 0;
   for (const double radius : {0.01, 0.05, 0.2, 1.0, 50.0}) {
-    Scene scene = empty();
+    Scene scene = test::sceneOfWalls();
     scene.spheres.emplace_back();
     scene.spheres[0].radius_m = radius;
     const double value = Walls(scene).at({0, 0, radius + 0.025});

@@ -5,33 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "fixtures.h"
-#include "fluid/boundary_density.h"
-#include "particles/kernels.h"
+#include "fluid/walls.h"
 
 namespace ice_ice_baby {
 namespace solid_density_test {
 
-constexpr double kSpacing_m = 0.05, kSupport_m = 0.1;
+using test::Walls;
 
-Scene empty() {
-  Scene scene;
-  scene.fluid.spacing_m = kSpacing_m;
-  return scene;
-}
-
-struct Walls {
-  explicit Walls(const Scene& s)
-      : scene(s),
-        colliders(scene, kSpacing_m / 2),
-        density(scene, colliders,
-                particleMass_kg(scene.fluid, kSupport_m) / scene.fluid.rest_density_kg_m3) {}
-  double at(const Vec3d& point) const { return density.at(point).value; }
-
-  Scene scene;
-  Colliders<double> colliders;
-  BoundaryDensity<double> density;
-};
+constexpr double kSpacing_m = test::kWallSpacing_m, kSupport_m = test::kWallSupport_m;
 
 Plane plate(const Vec3d& size_m, const Vec3d& top_m, const Vec3d& rpy_deg = Vec3d::Zero()) {
   Plane plane;
@@ -45,14 +26,14 @@ Plane plate(const Vec3d& size_m, const Vec3d& top_m, const Vec3d& rpy_deg = Vec3
 }
 
 Walls withPlate(const Plane& plane) {
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   scene.planes.push_back(plane);
   return Walls(scene);
 }
 
 /// T of a flat wall, as the lattice behind it.
 WallKernel kernel() {
-  const Scene scene = empty();
+  const Scene scene = test::sceneOfWalls();
   const RestLattice lattice(
       scene, particleMass_kg(scene.fluid, kSupport_m) / scene.fluid.rest_density_kg_m3);
   return WallKernel([&](double s) { return lattice.behind({s, 0, 0}, 1); }, kSupport_m);
@@ -103,7 +84,7 @@ TEST(BoxDensityTest, IsTheIntegralOverTheBox) {
 
 TEST(BoxDensityTest, ALargePlateIsAFlatWall) {
   const Walls walls = withPlate(plate({1, 1, 0.2}, {0, 0, 0}));
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   scene.planes.emplace_back();
   const Walls ground(scene);
   for (double s = 0.4; s < 1.6; s += 0.05) {
@@ -144,7 +125,7 @@ TEST(OverlapTest, ParallelPlanesShareTheFartherOne) {
 
 /// A tank with a chamfer, a step, a shelf, a ball and a ground flush with its floor.
 Scene crowded(const Vec3d& place = Vec3d::Zero()) {
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   scene.containers.push_back(test::tankOf({0.8, 0.5, 0.6}, true));
   scene.planes.push_back(plate({0.4, 0.5, 0.1}, {0.3, 0, 0.1}, {0, -45, 0}));
   scene.planes.push_back(plate({0.2, 0.2, 0.2}, {-0.3, 0.15, 0.2}));
@@ -219,7 +200,7 @@ TEST(SolidDensityTest, NothingJumps) {
 }
 
 TEST(SolidDensityTest, AGroundBelowOrFlushWithTheFloorAddsNothing) {
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   scene.containers.push_back(test::tankOf({0.8, 0.5, 0.6}, true));
   const Walls alone(scene);
   scene.planes.emplace_back();
@@ -244,7 +225,7 @@ double restDensity(const Walls& walls, const std::vector<Vec3d>& lattice, const 
 }
 
 TEST(SolidDensityTest, WaterAtRestAroundAStepHasItsRestDensity) {
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   scene.containers.push_back(test::tankOf({0.8, 0.5, 0.6}, false));
   scene.planes.push_back(plate({0.2, 0.5, 0.2}, {0.3, 0, 0.2}));  // a step along the right wall
   const Walls walls(scene);
@@ -264,7 +245,7 @@ TEST(SolidDensityTest, WaterAtRestAroundAStepHasItsRestDensity) {
 TEST(SolidDensityTest, TilesSideBySideAreOnePlate) {
   const Walls whole = withPlate(plate({0.8, 0.4, 0.05}, {0, 0, 0}));
   for (const double turn : {0.0, 90.0, 180.0}) {
-    Scene scene = empty();
+    Scene scene = test::sceneOfWalls();
     scene.planes.push_back(plate({0.4, 0.4, 0.05}, {-0.2, 0, 0}));
     scene.planes.push_back(plate({0.4, 0.4, 0.05}, {0.2, 0, 0}, {0, 0, turn}));
     const Walls tiles(scene);
@@ -278,7 +259,7 @@ TEST(SolidDensityTest, TilesSideBySideAreOnePlate) {
 
 TEST(SolidDensityTest, PlatesInOnePlaceAreOnePlate) {
   const Walls one = withPlate(plate({0.4, 0.4, 0.05}, {0, 0, 0}));
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   for (int count = 1; count <= 6; ++count) {
     scene.planes.push_back(plate({0.4, 0.4, 0.05}, {0, 0, 0}, {0, 0, 90.0 * count}));
     const Walls all(scene);
@@ -300,7 +281,7 @@ TEST(SolidDensityTest, FloatAgreesWithDouble) {
 }
 
 TEST(SolidDensityTest, ASceneWithoutPlatesHasNoTableOfBoxes) {
-  Scene scene = empty();
+  Scene scene = test::sceneOfWalls();
   scene.containers.push_back(test::tankOf({0.8, 0.5, 0.6}, true));
   const std::size_t alone = Walls(scene).density.bytes();
   scene.planes.push_back(plate({0.2, 0.5, 0.2}, {0.3, 0, 0.2}));
