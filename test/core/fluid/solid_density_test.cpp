@@ -103,7 +103,8 @@ TEST(OverlapTest, IsTheIntegralBehindBothPlanes) {
   const OverlapDensity<double> overlap(w);
   for (const double angle : {30.0, 45.0, 60.0, 90.0, 120.0, 135.0}) {
     const double c = std::cos(angle * M_PI / 180), s = std::sin(angle * M_PI / 180);
-    for (const auto& [a, b] : {std::pair{0.5, 0.5}, {0.5, 0.9}, {1.1, 0.6}}) {
+    for (const auto& distances : {std::pair{0.5, 0.5}, {0.5, 0.9}, {1.1, 0.6}}) {
+      const double a = distances.first, b = distances.second;
       const double direct = integral(w, [&](const Vec3d& p) {
         return p.z() > a * kSpacing_m && c * p.z() + s * p.x() > b * kSpacing_m;
       });
