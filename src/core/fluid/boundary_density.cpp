@@ -101,11 +101,12 @@ WallSample<Real> BoundaryDensity<Real>::ofContainer(std::size_t collider, const 
   const Shape<Real>& shape = colliders_[collider].shape;
   const Pose<Real>& pose = colliders_[collider].motion.to;
   const Vec3<Real> local = pose.toLocal(point);
-  WallSample<Real> sample = container_->at(shape, local);
+  const auto rim = shape.rim(local, support_);
+  const NearSurfaces<Real> near = shape.near(rim ? rim->below : local, support_);
+  WallSample<Real> sample = container_->at(local, rim, near);
   sample.gradient = pose.rotation * sample.gradient;
   if (!overlap_ || sample.value == 0) return sample;
-  const auto rim = shape.rim(local, support_);
-  for (const NearSurface<Real>& wall : shape.near(rim ? rim->below : local, support_)) {
+  for (const NearSurface<Real>& wall : near) {
     SolidFace<Real> face{wall.gap + radius_, pose.rotation * wall.normal};
     face.flat = true;
     if (rim && wall.axis != 2) {

@@ -22,11 +22,9 @@ ContainerDensity<Real>::ContainerDensity(const RestLattice& lattice,
       corner_(corner(lattice)) {}
 
 template <class Real>
-WallSample<Real> ContainerDensity<Real>::at(const Shape<Real>& container,
-                                            const Vec3<Real>& point) const {
-  const auto reach = static_cast<Real>(support_m_);
-  const auto rim = container.rim(point, reach);
-  const NearSurfaces<Real> near = container.near(rim ? rim->below : point, reach);
+WallSample<Real> ContainerDensity<Real>::at(const Vec3<Real>& point,
+                                            const std::optional<Rim<Real>>& rim,
+                                            const NearSurfaces<Real>& near) const {
   if (near.count == 0) return {};
   return rim ? nearRim(*rim, point, near) : sumOf(near);
 }

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "colliders/distance_table.h"
-#include "colliders/shape.h"
+#include "colliders/shape_basis.h"
 #include "fluid/rest_lattice.h"
 #include "fluid/wall_sample.h"
 
@@ -22,7 +23,10 @@ class ContainerDensity {
   ContainerDensity(const RestLattice& lattice, const DistanceTable<Real>& flat, Real radius_m);
 
   /// @param point in the frame of the container
-  WallSample<Real> at(const Shape<Real>& container, const Vec3<Real>& point) const;
+  /// @param rim of the container near the point
+  /// @param near its walls near the point, or near rim->below
+  WallSample<Real> at(const Vec3<Real>& point, const std::optional<Rim<Real>>& rim,
+                      const NearSurfaces<Real>& near) const;
 
   /// Part of a wall that lies below the rim, seen from a point at its height, and its slope along
   /// z.
