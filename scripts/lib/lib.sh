@@ -68,10 +68,11 @@ require_localhost() {
   getent hosts localhost >/dev/null || die "localhost does not resolve; add '127.0.0.1 localhost' to /etc/hosts"
 }
 
+# A port at which nobody listens, below those that Linux gives to outgoing connections: nobody takes it meanwhile.
 free_port() {
   local port
   for _ in $(seq 100); do
-    port=$((20000 + RANDOM % 40000))
+    port=$((10000 + RANDOM % 20000))
     if ! (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null; then
       echo "$port"
       return

@@ -5,13 +5,16 @@ import pathlib
 import re
 import shutil
 import signal
-import socket
 import subprocess
+import sys
 import tempfile
 import time
 
 from documents import ROOT
 from not_run import WITH_RVIZ
+
+sys.path.insert(0, str(ROOT / "scripts"))
+from iib.common.processes import free_port
 
 COMMAND_S, ANSWER_S, END_S = 120, 90, 30
 PROGRAM_S = 1  # how long a program of a document goes on once it is a node
@@ -23,12 +26,6 @@ PRELUDE = re.compile(r"(source|export|cd) ")
 
 class Failed(AssertionError):
     pass
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
 
 
 def require_sound(output, code, expected=0):

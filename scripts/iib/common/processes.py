@@ -1,5 +1,6 @@
 """Other programs: run one to its end, end one that runs."""
 
+import random
 import signal
 import socket
 import subprocess
@@ -35,7 +36,13 @@ def end(child, patience_s=20.0):
 
 
 def free_port():
-    """A port of loopback at which nobody listens."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+    """A port of loopback that is free and below those that Linux gives to outgoing connections."""
+    for _ in range(100):
+        port = random.randrange(10000, 30000)
+        with socket.socket() as probe:
+            try:
+                probe.bind(("127.0.0.1", port))
+                return port
+            except OSError:
+                pass  # taken
+    raise OSError("found no free port of 127.0.0.1 between 10000 and 30000")
