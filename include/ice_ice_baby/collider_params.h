@@ -2,10 +2,12 @@
 // to add a shape.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "ice_ice_baby/params.h"
+#include "ice_ice_baby/triangle_mesh.h"
 
 namespace ice_ice_baby {
 
@@ -92,11 +94,73 @@ void describe(Sphere& s, Visitor&& visit) {
   visit("radius_m", s.radius_m, Range{1e-3, kMaxCoordinate_m}, "radius");
 }
 
+/// Solid cylinder around the local z; `position_m` is its middle.
+struct Cylinder : Collider {
+  double radius_m = 0.1;
+  double height_m = 0.2;
+};
+
+template <class Visitor>
+void describe(Cylinder& c, Visitor&& visit) {
+  describeCollider(c, visit);
+  visit("radius_m", c.radius_m, Range{1e-3, kMaxCoordinate_m}, "radius");
+  visit("height_m", c.height_m, Range{1e-3, 2 * kMaxCoordinate_m}, "height along the local z");
+}
+
+/// Solid cylinder around the local z with a half ball at each end; `position_m` is its middle.
+struct Capsule : Collider {
+  double radius_m = 0.1;
+  double length_m = 0.2;
+};
+
+template <class Visitor>
+void describe(Capsule& c, Visitor&& visit) {
+  describeCollider(c, visit);
+  visit("radius_m", c.radius_m, Range{1e-3, kMaxCoordinate_m}, "radius");
+  visit("length_m", c.length_m, Range{1e-3, 2 * kMaxCoordinate_m},
+        "length along the local z, without the half balls");
+}
+
+/// Round open container; `position_m` is the middle of its inner floor.
+struct Cup : Collider {
+  double radius_m = 0.04;
+  double depth_m = 0.1;
+  double wall_m = 0.004;
+};
+
+template <class Visitor>
+void describe(Cup& c, Visitor&& visit) {
+  describeCollider(c, visit);
+  visit("radius_m", c.radius_m, Range{1e-3, kMaxCoordinate_m}, "inner radius");
+  visit("depth_m", c.depth_m, Range{1e-3, 2 * kMaxCoordinate_m}, "from the floor to the rim");
+  visit("wall_m", c.wall_m, Range{1e-4, 10.0}, "thickness of wall and floor");
+}
+
+/// Surface of triangles with two sides: a solid if it is closed, else thin walls.
+struct Mesh : Collider {
+  std::string file;
+  double scale = 1.0;
+  /// In the frame of the collider, scaled. Read from `file` by loadScene; set it in code.
+  std::shared_ptr<const TriangleMesh> triangles;
+};
+
+template <class Visitor>
+void describe(Mesh& m, Visitor&& visit) {
+  describeCollider(m, visit);
+  visit("file", m.file,
+        "STL, OBJ, DAE or PLY; a path relative to the scene file, or package://PACKAGE/PATH");
+  visit("scale", m.scale, Range{1e-6, 1e6}, "metres per unit of the file; 0.001: millimetres");
+}
+
 /// The colliders of a scene, one list for each shape.
 struct ColliderLists {
   std::vector<Container> containers;
   std::vector<Plane> planes;
   std::vector<Sphere> spheres;
+  std::vector<Cylinder> cylinders;
+  std::vector<Capsule> capsules;
+  std::vector<Cup> cups;
+  std::vector<Mesh> meshes;
 };
 
 /// Texts about a list of colliders.
@@ -113,6 +177,10 @@ void forEachColliderList(Lists& lists, const Visit& visit) {
   visit(lists.containers, ColliderKind{"containers", "container", "boxes that hold water"});
   visit(lists.planes, ColliderKind{"planes", "plane", "grounds and plates"});
   visit(lists.spheres, ColliderKind{"spheres", "sphere", "spheres"});
+  visit(lists.cylinders, ColliderKind{"cylinders", "cylinder", "solid cylinders"});
+  visit(lists.capsules, ColliderKind{"capsules", "capsule", "cylinders with round ends"});
+  visit(lists.cups, ColliderKind{"cups", "cup", "round containers without a lid"});
+  visit(lists.meshes, ColliderKind{"meshes", "mesh", "surfaces of triangles from files"});
 }
 
 }  // namespace ice_ice_baby

@@ -11,6 +11,7 @@
 #include "frame_loop.h"
 #include "ice_ice_baby/checkpoint.h"
 #include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/mesh_warnings.h"
 #include "ice_ice_baby/quality_warning.h"
 #include "ice_ice_baby/scene_loader.h"
 #include "output_space.h"
@@ -197,6 +198,9 @@ int runScene(const Options& options) {
   if (simulation->report().particles == 0) {
     std::fprintf(stderr, "run_scene: warning: scene \"%s\" holds no water: it has no blocks\n",
                  simulation->scene().name.c_str());
+  }
+  for (const std::string& warning : meshWarnings(simulation->scene())) {
+    std::fprintf(stderr, "run_scene: warning: %s\n", warning.c_str());
   }
   RunRecord record = runFrames(*simulation, options.outputs, end_s, options.threads);
   record.precision = simulation->precision() == Precision::kDouble ? "double" : "float";

@@ -10,6 +10,7 @@
 #include "checkpoint/scene_archive.h"
 #include "ice_ice_baby/errors.h"
 #include "loading/memory_need.h"
+#include "loading/mesh_files.h"
 #include "simulation/simulator.h"
 
 namespace ice_ice_baby {
@@ -96,6 +97,14 @@ template <class Real>
 std::unique_ptr<Simulation> simulationFrom(StateReader& reader, int threads) {
   Scene scene;
   describe(scene, SceneArchive<StateReader>(reader));
+  readMeshFiles(scene);
+  for (const Mesh& mesh : scene.meshes) {
+    std::uint32_t checksum = 0;
+    reader(checksum);
+    if (checksum == checksumOf(*mesh.triangles)) continue;
+    throw InvalidInput("mesh " + mesh.name + ": " + shortened(mesh.file) +
+                       " has changed since the checkpoint was saved; put the former file back");
+  }
   validate(scene);
   requireMemory(scene, machineMemory_bytes());
   std::uint32_t particles = 0, came = 0;

@@ -3,6 +3,7 @@
 
 #include "checkpoint/restored_state.h"
 #include "checkpoint/scene_archive.h"
+#include "loading/mesh_files.h"
 #include "simulation/simulator.h"
 
 namespace ice_ice_baby {
@@ -50,6 +51,7 @@ template <class Real>
 void Simulator<Real>::writeState(StateWriter& writer) const {
   Scene described = scene_;
   describe(described, SceneArchive<StateWriter>(writer));
+  for (const Mesh& mesh : scene_.meshes) writer(checksumOf(*mesh.triangles));
   writer(std::uint32_t(particles_.size()), particles_.next_id - spawned());
   exchange(*this, writer);
 }

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "colliders/container_shape.h"
+#include "colliders/mesh_shape.h"
 #include "colliders/path_tile.h"
 #include "colliders/plane_shape.h"
 #include "colliders/sphere_shape.h"
@@ -14,7 +15,8 @@ namespace ice_ice_baby {
 template <class Real>
 class Shape {
  public:
-  using Any = std::variant<ContainerShape<Real>, PlaneShape<Real>, SphereShape<Real>>;
+  using Any =
+      std::variant<ContainerShape<Real>, PlaneShape<Real>, SphereShape<Real>, MeshShape<Real>>;
 
   explicit Shape(Any any) : any_(std::move(any)) {}
 
@@ -71,6 +73,9 @@ class Shape {
   }
   std::optional<AlignedBox<Real>> box() const {
     return ask([](const auto& shape) { return shape.box(); });
+  }
+  const Surface* triangleSurface() const {
+    return ask([](const auto& shape) { return shape.triangleSurface(); });
   }
   Real curvatureRadius() const {
     return ask([](const auto& shape) { return shape.curvatureRadius(); });

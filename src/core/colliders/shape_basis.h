@@ -10,6 +10,8 @@
 
 namespace ice_ice_baby {
 
+class Surface;
+
 /// A surface near a point, in the frame of the shape.
 template <class Real>
 struct NearSurface {
@@ -78,6 +80,8 @@ struct ShapeBasis {
   std::optional<Rim<Real>> rim(const Vec3<Real>&, Real) const { return std::nullopt; }
   /// The solid, if it is a box, in the dimensions of the scene.
   std::optional<AlignedBox<Real>> box() const { return std::nullopt; }
+  /// Its triangles, if it is made of them.
+  const Surface* triangleSurface() const { return nullptr; }
   /// Radius of curvature of the whole surface, m.
   Real curvatureRadius() const { return std::numeric_limits<Real>::infinity(); }
   /// Whether particles may slide around it in any direction.

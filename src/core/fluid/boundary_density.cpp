@@ -53,12 +53,17 @@ void BoundaryDensity<Real>::buildTables(const RestLattice& lattice) {
   };
   for (const MovingShape<Real>& collider : colliders_) {
     if (collider.shape.box() && !box_) box_.emplace(wallKernel());
-    ball_of_.push_back(0);
+    table_of_.push_back(0);
+    if (const Surface* surface = collider.shape.triangleSurface()) {
+      table_of_.back() = triangles_.size();
+      triangles_.push_back(
+          {surface, SurfaceDensity<Real>(*surface, wallKernel(), 2 * double(radius_))});
+    }
     if (collider.shape.flat()) continue;
     const Real radius = collider.shape.curvatureRadius();
     const auto same = std::find_if(balls_.begin(), balls_.end(),
                                    [&](const Ball& ball) { return ball.radius == radius; });
-    ball_of_.back() = std::size_t(same - balls_.begin());
+    table_of_.back() = std::size_t(same - balls_.begin());
     if (same == balls_.end()) {
       balls_.push_back({radius, ballTable<Real>(wallKernel(), double(radius))});
     }
@@ -72,7 +77,7 @@ template <class Real>
 void BoundaryDensity<Real>::sortColliders() {
   const auto rank = [&](std::size_t k) {
     const Shape<Real>& shape = colliders_[k].shape;
-    return shape.hollow() ? 0 : shape.flat() && !shape.box() ? 1 : 2;
+    return shape.hollow() ? 0 : shape.triangleSurface() ? 3 : shape.flat() && !shape.box() ? 1 : 2;
   };
   order_.resize(colliders_.count());
   std::iota(order_.begin(), order_.end(), std::size_t(0));
@@ -86,9 +91,10 @@ WallSample<Real> BoundaryDensity<Real>::at(const Vec3<Real>& point) const {
   SeenSolids<Real> seen;
   for (const std::size_t k : order_) {
     const Shape<Real>& shape = colliders_[k].shape;
-    const WallSample<Real> one = shape.hollow() ? ofContainer(k, point, seen)
-                                 : shape.box()  ? ofBox(k, point, seen)
-                                                : ofSurface(k, point, seen);
+    const WallSample<Real> one = shape.hollow()            ? ofContainer(k, point, seen)
+                                 : shape.box()             ? ofBox(k, point, seen)
+                                 : shape.triangleSurface() ? ofTriangles(k, point, seen)
+                                                           : ofSurface(k, point, seen);
     sum.value += one.value;
     sum.gradient += one.gradient;
   }
@@ -133,7 +139,7 @@ WallSample<Real> BoundaryDensity<Real>::ofSurface(std::size_t collider, const Ve
   SolidFace<Real> face{surface.gap + radius_, pose.rotation * surface.normal};
   face.flat = shape.flat();
   const auto [value, slope] =
-      (face.flat ? *flat_ : balls_[ball_of_[collider]].table).at(face.distance);
+      (face.flat ? *flat_ : balls_[table_of_[collider]].table).at(face.distance);
   WallSample<Real> sample{value, slope * face.normal};
   if (!overlap_ || value == 0) return sample;
   if (!face.flat) {
@@ -144,6 +150,41 @@ WallSample<Real> BoundaryDensity<Real>::ofSurface(std::size_t collider, const Ve
   for (const SolidFace<Real>& other : seen.faces) takeOff(other, face, *overlap_, *flat_, sample);
   seen.faces.add(face);
   return sample;
+}
+
+template <class Real>
+WallSample<Real> BoundaryDensity<Real>::ofTriangles(std::size_t collider, const Vec3<Real>& point,
+                                                    SeenSolids<Real>& seen) const {
+  const Pose<Real>& pose = colliders_[collider].motion.to;
+  const Vec3<Real> local = pose.toLocal(point);
+  const Triangles& triangles = triangles_[table_of_[collider]];
+  WallSample<Real> sample = triangles.density.at(local);
+  if (sample.value == 0) return sample;
+  sample.gradient = pose.rotation * sample.gradient;
+  if (!overlap_) return sample;
+  const Vec3d x = local.template cast<double>();
+  const SurfacePoint near = triangles.surface->closest(x, double(support_));
+  if (!near.found() || near.distance_m == 0.0) return sample;
+  SolidFace<Real> face = faceOf(near, x, pose);
+  setShare(sample, face);
+  for (const SolidFace<Real>& other : seen.faces) takeOff(other, face, *overlap_, *flat_, sample);
+  seen.faces.add(face);
+  return sample;
+}
+
+/// The plane through the closest point of a surface.
+template <class Real>
+SolidFace<Real> BoundaryDensity<Real>::faceOf(const SurfacePoint& near, const Vec3d& point,
+                                              const Pose<Real>& pose) const {
+  const Vec3d normal = (point - near.point) / near.distance_m;
+  Mat3<double> turning = Mat3<double>::Zero();
+  if (near.part != TrianglePart::kFace) {
+    const Vec3d along = near.part == TrianglePart::kEdge ? near.along.normalized() : Vec3d::Zero();
+    turning = (Mat3<double>::Identity() - normal * normal.transpose() - along * along.transpose()) /
+              std::max(near.distance_m, double(radius_));
+  }
+  return {static_cast<Real>(near.distance_m), pose.rotation * normal.cast<Real>(),
+          pose.rotation * turning.cast<Real>() * pose.rotation.transpose()};
 }
 
 template <class Real>
@@ -257,10 +298,11 @@ void BoundaryDensity<Real>::setShare(const WallSample<Real>& sample, SolidFace<R
 template <class Real>
 std::size_t BoundaryDensity<Real>::bytes() const {
   std::size_t total =
-      flat_->bytes() + (order_.capacity() + ball_of_.capacity()) * sizeof(std::size_t);
+      flat_->bytes() + (order_.capacity() + table_of_.capacity()) * sizeof(std::size_t);
   if (container_) total += container_->bytes();
   if (box_) total += box_->bytes();
   if (overlap_) total += overlap_->bytes();
+  for (const Triangles& one : triangles_) total += one.density.bytes();
   for (const Ball& ball : balls_) total += ball.table.bytes();
   return total;
 }

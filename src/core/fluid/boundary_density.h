@@ -15,6 +15,7 @@
 #include "fluid/box_density.h"
 #include "fluid/container_density.h"
 #include "fluid/solid_faces.h"
+#include "fluid/surface_density.h"
 
 namespace ice_ice_baby {
 
@@ -42,6 +43,10 @@ class BoundaryDensity {
     Real radius;
     DistanceTable<Real> table;  ///< density over the distance from its surface
   };
+  struct Triangles {
+    const Surface* surface;
+    SurfaceDensity<Real> density;
+  };
   void sortColliders();
   void buildTables(const RestLattice& lattice);
   WallSample<Real> ofContainer(std::size_t collider, const Vec3<Real>& point,
@@ -50,12 +55,16 @@ class BoundaryDensity {
                              SeenSolids<Real>& seen) const;
   WallSample<Real> ofBox(std::size_t collider, const Vec3<Real>& point,
                          SeenSolids<Real>& seen) const;
+  WallSample<Real> ofTriangles(std::size_t collider, const Vec3<Real>& point,
+                               SeenSolids<Real>& seen) const;
   template <class Marks>
   WallSample<Real> cutBox(const SeenSolids<Real>& seen, SolidBox<Real>& box, Marks& counted) const;
   using BoxList = ShortList<AlignedBox<Real>, SeenSolids<Real>::kMaxBoxes>;
   WallSample<Real> ofAny(const BoxList& others, std::size_t first,
                          const AlignedBox<Real>& box) const;
   SolidFace<Real> faceOf(const SolidBox<Real>& box) const;
+  SolidFace<Real> faceOf(const SurfacePoint& near, const Vec3d& point,
+                         const Pose<Real>& pose) const;
   void setShare(const WallSample<Real>& sample, SolidFace<Real>& face) const;
 
   const Colliders<Real>& colliders_;
@@ -65,9 +74,10 @@ class BoundaryDensity {
   std::optional<ContainerDensity<Real>> container_;  ///< these three: only if the scene needs them
   std::optional<BoxDensity<Real>> box_;
   std::optional<OverlapDensity<Real>> overlap_;
-  std::vector<std::size_t> order_;    ///< of the colliders
-  std::vector<Ball> balls_;           ///< one for each radius
-  std::vector<std::size_t> ball_of_;  ///< for each collider that is round
+  std::vector<std::size_t> order_;     ///< of the colliders
+  std::vector<Ball> balls_;            ///< one for each radius
+  std::vector<Triangles> triangles_;   ///< one for each collider that is made of them
+  std::vector<std::size_t> table_of_;  ///< for each collider, its place in balls_ or triangles_
 };
 
 }  // namespace ice_ice_baby

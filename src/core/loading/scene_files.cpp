@@ -51,16 +51,6 @@ std::string chosenFolder() {
   return chosen ? chosen : "";
 }
 
-bool liesWithin(const fs::path& file, const fs::path& folder) {
-  std::error_code error;
-  const fs::path real_file = fs::canonical(file, error);
-  const fs::path real_folder = fs::canonical(folder, error);
-  if (error) return false;
-  const auto ends =
-      std::mismatch(real_folder.begin(), real_folder.end(), real_file.begin(), real_file.end());
-  return ends.first == real_folder.end();
-}
-
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
   throw InvalidInput("scene file " + shortened(path) + " " + why);
 }
@@ -78,6 +68,16 @@ void requireOrdinary(const std::string& path) {
 bool isScenePath(const std::string& name_or_path) {
   const fs::path path(name_or_path);
   return path.extension() == ".yaml" || path.extension() == ".yml" || path.has_parent_path();
+}
+
+bool liesWithin(const std::string& file, const std::string& folder) {
+  std::error_code error;
+  const fs::path real_file = fs::canonical(file, error);
+  const fs::path real_folder = fs::canonical(folder, error);
+  if (error) return false;
+  const auto ends =
+      std::mismatch(real_folder.begin(), real_folder.end(), real_file.begin(), real_file.end());
+  return ends.first == real_folder.end();
 }
 
 std::string readSceneFile(const std::string& path) {
@@ -102,7 +102,7 @@ std::string sceneFile(const std::string& name) {
   const fs::path folder = sceneFolder();
   const fs::path ordinary = folder / (name + ".yaml");
   const fs::path file = fs::exists(ordinary) ? ordinary : folder / kVerification / (name + ".yaml");
-  if (!liesWithin(file, folder)) {
+  if (!liesWithin(file.string(), folder.string())) {
     throw InvalidInput("scene " + shortened(name) +
                        " is a link that leads out of the scene folder " + folder.string() +
                        "; copy the file there, or run it by its path");

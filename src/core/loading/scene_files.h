@@ -12,6 +12,9 @@ bool isScenePath(const std::string& name_or_path);
 /// @throws InvalidInput for an unknown name, and for a link that leads out of the folder
 std::string sceneFile(const std::string& name);
 
+/// Whether a file lies in a folder or below it, after following links.
+bool liesWithin(const std::string& file, const std::string& folder);
+
 /// Whole text of a scene file. Reads no device, pipe or folder and no more than 1 MiB.
 /// @throws InvalidInput naming the path and what it is
 std::string readSceneFile(const std::string& path);

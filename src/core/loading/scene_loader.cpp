@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include "ice_ice_baby/errors.h"
@@ -76,6 +77,24 @@ void setKey(YAML::Node node, const std::vector<std::string>& parts, std::size_t 
   setKey(node[part], parts, depth + 1, change);
 }
 
+Scene parse(const std::string& yaml, const std::vector<Override>& overrides,
+            const SceneHome& home) {
+  const std::string& origin = home.origin;
+  YAML::Node tree = parseYaml(yaml, origin);
+  if (tree.IsNull()) tree = YAML::Node(YAML::NodeType::Map);
+  if (!tree.IsMap())
+    throw InvalidInput(origin + ": a scene is a map of keys; see config/default.yaml");
+  try {
+    for (const Override& change : overrides) {
+      const std::vector<std::string> parts = splitKey(change.key);
+      setKey(tree, parts, 0, change);
+    }
+    return readScene(tree, home);
+  } catch (const YAML::Exception& e) {
+    throw InvalidInput(origin + ": " + shortened(e.what()));
+  }
+}
+
 }  // namespace
 
 Override parseOverride(const std::string& text) {
@@ -88,25 +107,15 @@ Override parseOverride(const std::string& text) {
 }
 
 Scene loadScene(const std::string& name_or_path, const std::vector<Override>& overrides) {
-  const std::string file = isScenePath(name_or_path) ? name_or_path : sceneFile(name_or_path);
-  return parseScene(readSceneFile(file), overrides, shortened(name_or_path));
+  const bool by_path = isScenePath(name_or_path);
+  const std::string file = by_path ? name_or_path : sceneFile(name_or_path);
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  return parse(readSceneFile(file), overrides, {shortened(name_or_path), folder, !by_path});
 }
 
 Scene parseScene(const std::string& yaml, const std::vector<Override>& overrides,
                  const std::string& origin) {
-  YAML::Node tree = parseYaml(yaml, origin);
-  if (tree.IsNull()) tree = YAML::Node(YAML::NodeType::Map);
-  if (!tree.IsMap())
-    throw InvalidInput(origin + ": a scene is a map of keys; see config/default.yaml");
-  try {
-    for (const Override& change : overrides) {
-      const std::vector<std::string> parts = splitKey(change.key);
-      setKey(tree, parts, 0, change);
-    }
-    return readScene(tree, origin);
-  } catch (const YAML::Exception& e) {
-    throw InvalidInput(origin + ": " + shortened(e.what()));
-  }
+  return parse(yaml, overrides, {origin, "", false});
 }
 
 }  // namespace ice_ice_baby

@@ -5,6 +5,7 @@
 
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_keys.h"
+#include "loading/mesh_files.h"
 #include "loading/renamed_keys.h"
 
 namespace ice_ice_baby {
@@ -214,7 +215,7 @@ void read(const YAML::Node& map, const std::string& path, Params& params) {
 
 }  // namespace
 
-Scene readScene(const YAML::Node& tree, const std::string& origin) {
+Scene readScene(const YAML::Node& tree, const SceneHome& home) {
   try {
     // Read twice: the preset and the spacing that the file sets decide what lies beneath its keys.
     Scene chosen;
@@ -224,10 +225,12 @@ Scene readScene(const YAML::Node& tree, const std::string& origin) {
     read(tree, "", scene);
     nameColliders(scene);
     expandCopies(scene);
+    findMeshFiles(scene, home.folder, home.confined);
+    readMeshFiles(scene);
     validate(scene);
     return scene;
   } catch (const InvalidInput& e) {
-    throw InvalidInput(origin + ": " + e.what());
+    throw InvalidInput(home.origin + ": " + e.what());
   }
 }
 

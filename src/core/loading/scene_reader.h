@@ -9,7 +9,14 @@
 
 namespace ice_ice_baby {
 
-/// @throws InvalidInput naming `origin`, the key, the value and what is allowed
-Scene readScene(const YAML::Node& tree, const std::string& origin);
+/// Where a scene comes from.
+struct SceneHome {
+  std::string origin;     ///< its name in messages
+  std::string folder;     ///< from which paths of meshes start; "": the current one
+  bool confined = false;  ///< whether meshes have to lie in that folder
+};
+
+/// @throws InvalidInput naming the origin, the key, the value and what is allowed
+Scene readScene(const YAML::Node& tree, const SceneHome& home);
 
 }  // namespace ice_ice_baby

@@ -20,7 +20,7 @@ void AdiabaticMirrors<Real>::locate(const VectorField<Real>& x) {
     owner_[i] = kNone;
     for (std::size_t k = 0; k < colliders_.count(); ++k) {
       const Shape<Real>& shape = colliders_[k].shape;
-      if (!shape.holds(colliders_[k].motion.to.toLocal(x.at(i)))) continue;
+      if (!shape.hollow() || !shape.holds(colliders_[k].motion.to.toLocal(x.at(i)))) continue;
       owner_[i] = static_cast<int>(k);
       return;
     }

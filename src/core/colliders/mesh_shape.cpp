@@ -1,0 +1,139 @@
+#include "colliders/mesh_shape.h"
+
+#include <map>
+
+#include "ice_ice_baby/errors.h"
+#include "meshes/solids_of_revolution.h"
+#include "meshes/surface_contact.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Edges at which a surface turns by more than this many degrees are drawn.
+constexpr double kSharp_deg = 30.0;
+
+template <class Real>
+MeshShape<Real> shapeOf(TriangleMesh mesh, double radius_m) {
+  MeshShape<Real> shape;
+  shape.radius = static_cast<Real>(radius_m);
+  shape.triangles = std::make_shared<const Surface>(std::move(mesh), radius_m);
+  return shape;
+}
+
+/// Adds the edges of a single triangle and those at which the surface turns sharply.
+void addSharpEdges(const Surface& surface, ColliderMesh& mesh) {
+  std::map<std::array<Index, 2>, std::vector<Index>> sides;
+  for (Index k = 0; k < mesh.triangles.size(); ++k) {
+    const auto& t = mesh.triangles[k];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Index a = t[c], b = t[(c + 1) % 3];
+      sides[{std::min(a, b), std::max(a, b)}].push_back(k);
+    }
+  }
+  const double smooth = std::cos(kSharp_deg * M_PI / 180);
+  for (const auto& [edge, triangles] : sides) {
+    const auto normal = [&](std::size_t k) {
+      return surface.tree().triangle(triangles[k]).normal().normalized();
+    };
+    if (triangles.size() == 2 && normal(0).dot(normal(1)) > smooth) continue;
+    mesh.edges.push_back(edge);
+  }
+}
+
+}  // namespace
+
+template <class Real>
+MeshShape<Real> makeShape(const Cylinder& c, double radius_m) {
+  return shapeOf<Real>(cylinderMesh(c.radius_m, c.height_m), radius_m);
+}
+
+template <class Real>
+MeshShape<Real> makeShape(const Capsule& c, double radius_m) {
+  return shapeOf<Real>(capsuleMesh(c.radius_m, c.length_m), radius_m);
+}
+
+template <class Real>
+MeshShape<Real> makeShape(const Cup& c, double radius_m) {
+  MeshShape<Real> shape = shapeOf<Real>(cupMesh(c.radius_m, c.depth_m, c.wall_m), radius_m);
+  shape.look = Look::kGlass;
+  shape.vessel = true;
+  return shape;
+}
+
+template <class Real>
+MeshShape<Real> makeShape(const Mesh& m, double radius_m) {
+  if (!m.triangles || m.triangles->triangles.empty()) {
+    throw InvalidInput("mesh " + m.name +
+                       " has no triangles; scenes read from a file read them "
+                       "from `file`, scenes built in code set `triangles`");
+  }
+  MeshShape<Real> shape = shapeOf<Real>(*m.triangles, radius_m);
+  shape.look = m.opacity < 1.0 ? Look::kGlass : Look::kObject;
+  shape.vessel = true;
+  return shape;
+}
+
+template <class Real>
+Vec3<Real> MeshShape<Real>::resolve(const Vec3<Real>& from, const Vec3<Real>& to) const {
+  const Vec3d wanted = to.template cast<double>();
+  if (from == to && triangles->encloses(wanted)) return outside(wanted).template cast<Real>();
+  const Vec3d end = endBeside(*triangles, from.template cast<double>(), wanted);
+  return end == wanted ? to : end.template cast<Real>();
+}
+
+/// The nearest place outside, for a point in the solid that has not moved there.
+template <class Real>
+Vec3d MeshShape<Real>::outside(const Vec3d& point) const {
+  const SurfacePoint closest = triangles->closest(point, std::numeric_limits<double>::infinity());
+  const Vec3d outwards = triangles->tree().triangle(closest.triangle).normal().normalized();
+  const double side = triangles->topology().volume_m3 < 0 ? -1.0 : 1.0;
+  const Vec3d surface = closest.point + side * 1e-3 * double(this->radius) * outwards;
+  return endBeside(*triangles, surface, closest.point + side * double(this->radius) * outwards);
+}
+
+template <class Real>
+NearSurfaces<Real> MeshShape<Real>::near(const Vec3<Real>& point, Real reach_m) const {
+  NearSurfaces<Real> surfaces;
+  if (triangles->atLeast(point) >= reach_m) return surfaces;
+  const Vec3d x = point.template cast<double>();
+  const SurfacePoint closest = triangles->closest(x, double(reach_m));
+  if (!closest.found() || closest.distance_m == 0.0) return surfaces;
+  const Vec3d normal = (x - closest.point) / closest.distance_m;
+  const auto distance = static_cast<Real>(closest.distance_m);
+  surfaces.add({distance - this->radius, distance, normal.cast<Real>(), 1, 0,
+                (closest.point + double(this->radius) * normal).cast<Real>()});
+  return surfaces;
+}
+
+template <class Real>
+void MeshShape<Real>::faces(const PushedPath& path, FaceCollector& faces) const {
+  const Vec3d end = path.to + path.push;
+  const SurfacePoint closest = triangles->closest(end, std::numeric_limits<double>::infinity());
+  if (closest.distance_m == 0.0) return;
+  const Vec3d normal = (end - closest.point) / closest.distance_m;
+  faces.add(normal, normal.dot(closest.point) + double(this->radius));
+}
+
+template <class Real>
+ColliderMesh MeshShape<Real>::mesh(const MeshDetail&) const {
+  ColliderMesh mesh;
+  mesh.look = look;
+  mesh.vertices = triangles->mesh().vertices;
+  mesh.triangles = triangles->mesh().triangles;
+  if (look == Look::kGlass) addSharpEdges(*triangles, mesh);
+  return mesh;
+}
+
+template struct MeshShape<float>;
+template struct MeshShape<double>;
+template MeshShape<float> makeShape<float>(const Cylinder&, double);
+template MeshShape<double> makeShape<double>(const Cylinder&, double);
+template MeshShape<float> makeShape<float>(const Capsule&, double);
+template MeshShape<double> makeShape<double>(const Capsule&, double);
+template MeshShape<float> makeShape<float>(const Cup&, double);
+template MeshShape<double> makeShape<double>(const Cup&, double);
+template MeshShape<float> makeShape<float>(const Mesh&, double);
+template MeshShape<double> makeShape<double>(const Mesh&, double);
+
+}  // namespace ice_ice_baby

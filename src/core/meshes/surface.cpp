@@ -1,0 +1,64 @@
+#include "meshes/surface.h"
+
+#include <algorithm>
+
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Nodes of the distances and their reach, in particle radii. Nothing asks for more than the
+/// support radius, in most scenes four radii.
+constexpr double kEdge_r = 0.5, kBand_r = 4.5;
+
+/// Blocks that a lattice around a surface may have.
+constexpr double kMaxBlocks = 4e6;
+
+void requireBlocks(const SurfaceTree& tree, double radius_m) {
+  const Vec3d margin = Vec3d::Constant((kBand_r + 2 * kEdge_r) * radius_m);
+  const Eigen::AlignedBox3d box(tree.bounds().min() - margin, tree.bounds().max() + margin);
+  if (BlockIndex::blocksOver(box, kEdge_r * radius_m) <= kMaxBlocks) return;
+  const Vec3d size = tree.bounds().sizes();
+  throw InvalidInput("a mesh of " + numberText(size.x()) + " x " + numberText(size.y()) + " x " +
+                     numberText(size.z()) + " m is too large for a spacing of " +
+                     numberText(2 * radius_m) +
+                     " m; raise fluid.spacing_m, check the scale of the mesh, or use boxes and "
+                     "planes for what is large and flat");
+}
+
+}  // namespace
+
+Surface::Surface(TriangleMesh mesh, double radius_m)
+    : mesh_(std::move(mesh)), tree_(mesh_), topology_(topologyOf(mesh_)), radius_m_(radius_m) {
+  for (const Vec3d& vertex : mesh_.vertices) reach_m_ = std::max(reach_m_, vertex.norm());
+  if (radius_m == 0.0) return;
+  requireBlocks(tree_, radius_m);
+  distance_.emplace(tree_, topology_.closed(), kEdge_r * radius_m, kBand_r * radius_m);
+}
+
+bool Surface::encloses(const Vec3d& point) const {
+  if (!topology_.closed()) return false;
+  const int known = distance_ ? distance_->inside(point) : -1;
+  return known >= 0 ? known == 1 : tree_.encloses(point);
+}
+
+bool Surface::surrounds(const Vec3d& point) const {
+  if (!tree_.bounds().contains(point)) return false;
+  const double far = tree_.bounds().diagonal().norm();
+  int seen = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      seen += tree_.firstHit(point, side * Vec3d::Unit(axis), 0.0, far) <= far;
+    }
+  }
+  return seen >= 5;
+}
+
+std::size_t Surface::bytes() const {
+  return mesh_.vertices.capacity() * sizeof(Vec3d) +
+         mesh_.triangles.capacity() * sizeof(std::array<Index, 3>) + tree_.bytes() +
+         (distance_ ? distance_->bytes() : 0);
+}
+
+}  // namespace ice_ice_baby

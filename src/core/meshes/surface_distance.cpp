@@ -1,0 +1,38 @@
+#include "meshes/surface_distance.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+
+namespace ice_ice_baby {
+
+SurfaceDistance::SurfaceDistance(const SurfaceTree& tree, bool closed, double edge_m, double band_m)
+    : band_m_(band_m), slack_m_(1.001 * std::sqrt(3.0) / 2 * edge_m) {
+  Eigen::AlignedBox3d box = tree.bounds();
+  const Vec3d margin = Vec3d::Constant(band_m + 2 * edge_m);
+  blocks_ = BlockIndex({box.min() - margin, box.max() + margin}, edge_m);
+  blocks_.use([&](const Vec3d& centre, double half_diagonal) {
+    return tree.closest(centre, band_m + half_diagonal + slack_m_).found();
+  });
+  distances_.assign(blocks_.inUse() * BlockIndex::kNodes, static_cast<float>(band_m + slack_m_));
+  closest_.assign(distances_.size(), kNone);
+  parallelFor(
+      blocks_.inUse(),
+      [&](std::size_t k) {
+        const BlockIndex::Node corner = blocks_.corner(k);
+        Index hint = kNone;
+        for (int n = 0; n < int(BlockIndex::kNodes); ++n) {
+          constexpr int b = BlockIndex::kBlock;
+          const BlockIndex::Node node = corner + BlockIndex::Node(n % b, n / b % b, n / (b * b));
+          const SurfacePoint near = tree.closest(blocks_.place(node), band_m + slack_m_, hint);
+          hint = near.triangle;
+          const std::size_t at = k * BlockIndex::kNodes + std::size_t(n);
+          if (near.found()) distances_[at] = static_cast<float>(near.distance_m);
+          if (closed && tree.encloses(blocks_.place(node))) distances_[at] = -distances_[at];
+          closest_[at] = near.triangle;
+        }
+      },
+      1);
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,118 @@
+#include "meshes/surface_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// Longest side of the part of a triangle that one sample stands for, in spacings.
+constexpr double kSide_d = 0.35;
+
+/// More samples than this need too much memory and time.
+constexpr double kMaxSamples = 2e7;
+
+/// A wall with a thickness between these, in spacings, is partly thin. Particles on both sides of a
+/// thicker one are out of reach of each other.
+constexpr double kThin_d = 0.75, kThick_d = 1.0;
+
+/// A wall is fully opaque this far from its rim, in spacings.
+constexpr double kRim_d = 0.5;
+constexpr int kRimSteps = 4, kRimWays = 8;
+
+double smoothStep(double x) {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// Halves a triangle across its longest side until it is small.
+void divide(const Triangle& t, double side_m, std::vector<SurfaceSample>& samples) {
+  const std::array<Vec3d, 3> corners{t.a, t.b, t.c};
+  std::size_t longest = 0;
+  double longest2 = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double length2 = (corners[(k + 1) % 3] - corners[k]).squaredNorm();
+    if (length2 <= longest2) continue;
+    longest = k;
+    longest2 = length2;
+  }
+  if (longest2 <= side_m * side_m) {
+    samples.push_back({t.centre(), t.normal().normalized(), t.area(), 0.0, false, false});
+    return;
+  }
+  const Vec3d &a = corners[longest], &b = corners[(longest + 1) % 3],
+              &c = corners[(longest + 2) % 3];
+  const Vec3d middle = (a + b) / 2;
+  divide({a, middle, c}, side_m, samples);
+  divide({middle, b, c}, side_m, samples);
+}
+
+/// Whether a wall goes on in every direction, so far from a sample: where a ray from above meets
+/// it, or where it turns upwards.
+bool goesOn(const SurfaceTree& tree, const SurfaceSample& sample, double away_m, double lift_m) {
+  const Vec3d& n = sample.normal;
+  const Vec3d u = n.unitOrthogonal(), v = n.cross(u);
+  const Vec3d above = sample.point + lift_m * n;
+  for (int k = 0; k < kRimWays; ++k) {
+    const double angle = 2 * M_PI * k / kRimWays;
+    const Vec3d way = std::cos(angle) * u + std::sin(angle) * v;
+    if (tree.firstHit(above, way, 0.0, away_m) <= away_m) continue;
+    if (tree.firstHit(above + away_m * way, -n, 0.0, 3 * lift_m) > 3 * lift_m) return false;
+  }
+  return true;
+}
+
+/// Distance along the surface from a sample to the nearest place where the wall ends, as a share of
+/// kRim_d.
+double distanceToRim(const SurfaceTree& tree, const SurfaceSample& sample, double spacing_m) {
+  const double far = kRim_d * spacing_m, lift = spacing_m / 4;
+  if (goesOn(tree, sample, far, lift)) return 1.0;
+  for (int step = 1; step < kRimSteps; ++step) {
+    if (!goesOn(tree, sample, far * step / kRimSteps, lift)) return double(step - 1) / kRimSteps;
+  }
+  return double(kRimSteps - 1) / kRimSteps;
+}
+
+void measure(const Surface& surface, double spacing_m, SurfaceSample& sample) {
+  const SurfaceTree& tree = surface.tree();
+  const double skip = 1e-6 * spacing_m, reach = kThick_d * spacing_m;
+  const double behind = tree.firstHit(sample.point, -sample.normal, skip, reach);
+  if (surface.topology().closed()) {
+    const double thickness = behind / spacing_m;
+    const double thin = 1 - smoothStep((thickness - kThin_d) / (kThick_d - kThin_d));
+    if (thin > 0) sample.opacity = thin * smoothStep(distanceToRim(tree, sample, spacing_m));
+    return;
+  }
+  sample.covered_behind = behind <= reach;
+  sample.covered_ahead = tree.firstHit(sample.point, sample.normal, skip, reach) <= reach;
+  sample.opacity = smoothStep(distanceToRim(tree, sample, spacing_m));
+}
+
+}  // namespace
+
+std::vector<SurfaceSample> samplesOf(const Surface& surface, double spacing_m) {
+  const SurfaceTree& tree = surface.tree();
+  double area = 0.0;
+  for (Index k = 0; k < tree.count(); ++k) area += tree.triangle(k).area();
+  const double side = kSide_d * spacing_m;
+  if (4 * area / (side * side) + double(tree.count()) > kMaxSamples) {
+    throw InvalidInput("a mesh with a surface of " + numberText(area) +
+                       " m2 is too large for a spacing of " + numberText(spacing_m) +
+                       " m; raise fluid.spacing_m, check the scale of the mesh, or use boxes and "
+                       "planes for what is large and flat");
+  }
+  std::vector<SurfaceSample> samples;
+  for (Index k = 0; k < tree.count(); ++k) divide(tree.triangle(k), side, samples);
+  if (surface.topology().volume_m3 < 0) {
+    for (SurfaceSample& sample : samples) sample.normal = -sample.normal;
+  }
+  parallelFor(samples.size(), [&](std::size_t k) { measure(surface, spacing_m, samples[k]); });
+  return samples;
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,115 @@
+#include "robot_links.h"
+
+#include <fnmatch.h>
+#include <urdf/model.h>
+
+#include <sstream>
+
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+Vec3d vectorOf(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
+
+/// A collider of a link with its place in the frame of the link.
+template <class Shape>
+Shape& addTo(std::vector<Shape>& list, const std::string& name, const urdf::Collision& collision,
+             const std::string& frame) {
+  Shape& shape = list.emplace_back();
+  shape.name = name;
+  shape.follow_frame = frame;
+  shape.position_m = vectorOf(collision.origin.position);
+  Vec3d rpy;
+  collision.origin.rotation.getRPY(rpy.x(), rpy.y(), rpy.z());
+  shape.rpy_deg = rpy * 180 / M_PI;
+  return shape;
+}
+
+double scaleOf(const urdf::Mesh& mesh, const std::string& link) {
+  const Vec3d scale = vectorOf(mesh.scale);
+  if (scale.x() > 0 && (scale.array() == scale.x()).all()) return scale.x();
+  throw InvalidInput("link " + link + ": the scale of " + shortened(mesh.filename) + " = [" +
+                     numberText(scale.x()) + ", " + numberText(scale.y()) + ", " +
+                     numberText(scale.z()) + "] must be the same above 0 along every axis");
+}
+
+std::string fileOf(const urdf::Mesh& mesh) {
+  const std::string scheme = "file://";
+  return mesh.filename.rfind(scheme, 0) == 0 ? mesh.filename.substr(scheme.size()) : mesh.filename;
+}
+
+void addCollision(Scene& scene, const std::string& name, const urdf::Collision& collision,
+                  const std::string& frame) {
+  const urdf::Geometry& geometry = *collision.geometry;
+  if (geometry.type == urdf::Geometry::BOX) {
+    addTo(scene.boxes, name, collision, frame).size_m =
+        vectorOf(static_cast<const urdf::Box&>(geometry).dim);
+  } else if (geometry.type == urdf::Geometry::SPHERE) {
+    addTo(scene.spheres, name, collision, frame).radius_m =
+        static_cast<const urdf::Sphere&>(geometry).radius;
+  } else if (geometry.type == urdf::Geometry::CYLINDER) {
+    const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
+    Cylinder& added = addTo(scene.cylinders, name, collision, frame);
+    added.radius_m = cylinder.radius;
+    added.height_m = cylinder.length;
+  } else {
+    const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
+    Mesh& added = addTo(scene.meshes, name, collision, frame);
+    added.file = fileOf(mesh);
+    added.scale = scaleOf(mesh, frame);
+  }
+}
+
+void addLink(Scene& scene, const urdf::Link& link) {
+  std::size_t number = 0;
+  for (const auto& collision : link.collision_array) {
+    if (!collision || !collision->geometry) continue;
+    ++number;
+    const std::string name = number == 1 ? link.name : link.name + "_" + std::to_string(number);
+    addCollision(scene, name, *collision, link.name);
+  }
+  if (number == 0) {
+    throw InvalidInput("link " + link.name +
+                       " has no collision geometry; add <collision> to it in robot_description, or "
+                       "leave it out of ~links");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> linkPatterns(const std::string& links) {
+  std::string spaced = links;
+  for (char& c : spaced) {
+    if (c == ',') c = ' ';
+  }
+  std::istringstream words(spaced);
+  std::vector<std::string> patterns;
+  for (std::string word; words >> word;) patterns.push_back(word);
+  return patterns;
+}
+
+void addRobotLinks(Scene& scene, const std::string& description,
+                   const std::vector<std::string>& patterns) {
+  urdf::Model model;
+  if (!model.initString(description)) {
+    throw InvalidInput("robot_description is no URDF; see the messages above");
+  }
+  for (const std::string& pattern : patterns) {
+    std::size_t matching = 0;
+    std::vector<std::string> names;
+    for (const auto& [name, link] : model.links_) {
+      names.push_back(name);
+      if (fnmatch(pattern.c_str(), name.c_str(), 0) != 0) continue;
+      ++matching;
+      addLink(scene, *link);
+    }
+    if (matching == 0) {
+      throw InvalidInput("parameter ~links: no link of robot_description matches " +
+                         shortened(pattern) + "; it has: " + joined(names));
+    }
+  }
+}
+
+}  // namespace ice_ice_baby
