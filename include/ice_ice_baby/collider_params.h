@@ -92,11 +92,23 @@ void describe(Sphere& s, Visitor&& visit) {
   visit("radius_m", s.radius_m, Range{1e-3, kMaxCoordinate_m}, "radius");
 }
 
+/// Solid box: `position_m` is its centre.
+struct Box : Collider {
+  Vec3d size_m = Vec3d::Constant(0.1);
+};
+
+template <class Visitor>
+void describe(Box& b, Visitor&& visit) {
+  describeCollider(b, visit);
+  visit("size_m", b.size_m, Range{1e-3, 2 * kMaxCoordinate_m}, "length of its sides");
+}
+
 /// The colliders of a scene, one list for each shape.
 struct ColliderLists {
   std::vector<Container> containers;
   std::vector<Plane> planes;
   std::vector<Sphere> spheres;
+  std::vector<Box> boxes;
 };
 
 /// Texts about a list of colliders.
@@ -113,6 +125,7 @@ void forEachColliderList(Lists& lists, const Visit& visit) {
   visit(lists.containers, ColliderKind{"containers", "container", "boxes that hold water"});
   visit(lists.planes, ColliderKind{"planes", "plane", "grounds and plates"});
   visit(lists.spheres, ColliderKind{"spheres", "sphere", "spheres"});
+  visit(lists.boxes, ColliderKind{"boxes", "box", "solid boxes"});
 }
 
 }  // namespace ice_ice_baby

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "colliders/box_shape.h"
 #include "colliders/container_shape.h"
 #include "colliders/path_tile.h"
 #include "colliders/plane_shape.h"
@@ -14,7 +15,8 @@ namespace ice_ice_baby {
 template <class Real>
 class Shape {
  public:
-  using Any = std::variant<ContainerShape<Real>, PlaneShape<Real>, SphereShape<Real>>;
+  using Any =
+      std::variant<ContainerShape<Real>, PlaneShape<Real>, SphereShape<Real>, BoxShape<Real>>;
 
   explicit Shape(Any any) : any_(std::move(any)) {}
 
