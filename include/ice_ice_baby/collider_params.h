@@ -94,6 +94,17 @@ void describe(Sphere& s, Visitor&& visit) {
   visit("radius_m", s.radius_m, Range{1e-3, kMaxCoordinate_m}, "radius");
 }
 
+/// Solid box: `position_m` is its centre.
+struct Box : Collider {
+  Vec3d size_m = Vec3d::Constant(0.1);
+};
+
+template <class Visitor>
+void describe(Box& b, Visitor&& visit) {
+  describeCollider(b, visit);
+  visit("size_m", b.size_m, Range{1e-3, 2 * kMaxCoordinate_m}, "length of its sides");
+}
+
 /// Solid cylinder around the local z; `position_m` is its middle.
 struct Cylinder : Collider {
   double radius_m = 0.1;
@@ -157,6 +168,7 @@ struct ColliderLists {
   std::vector<Container> containers;
   std::vector<Plane> planes;
   std::vector<Sphere> spheres;
+  std::vector<Box> boxes;
   std::vector<Cylinder> cylinders;
   std::vector<Capsule> capsules;
   std::vector<Cup> cups;
@@ -177,6 +189,7 @@ void forEachColliderList(Lists& lists, const Visit& visit) {
   visit(lists.containers, ColliderKind{"containers", "container", "boxes that hold water"});
   visit(lists.planes, ColliderKind{"planes", "plane", "grounds and plates"});
   visit(lists.spheres, ColliderKind{"spheres", "sphere", "spheres"});
+  visit(lists.boxes, ColliderKind{"boxes", "box", "solid boxes"});
   visit(lists.cylinders, ColliderKind{"cylinders", "cylinder", "solid cylinders"});
   visit(lists.capsules, ColliderKind{"capsules", "capsule", "cylinders with round ends"});
   visit(lists.cups, ColliderKind{"cups", "cup", "round containers without a lid"});

@@ -39,6 +39,7 @@ LISTS = {
     "schedule": "schedule=[{at_s: 0.02}]",
     "planes": "planes=[{name: plate, position_m: [0, 0, -5]}]",
     "spheres": "spheres=[{name: ball, position_m: [0, 0, -5]}]",
+    "boxes": "boxes=[{name: box, position_m: [0, 0, -5]}]",
 }
 
 
@@ -49,6 +50,7 @@ ROOM = {
     "blocks.copies": (f"{ALONE[:-2]}, copies_step_m: [0.05, 0.05, 0.05]}}]", "containers=[]"),
     "containers.size_m": (ALONE,),
     "spheres.radius_m": ("spheres=[{name: ball, position_m: [0, 0, -100]}]",),
+    "boxes.size_m": ("boxes=[{name: box, position_m: [0, 0, -100]}]",),
 }
 
 

@@ -177,6 +177,12 @@ def oblique_wall_at_rest(run):
     return at_rest(run, "oblique_wall_at_rest")
 
 
+@case()
+def turned_box_at_rest(run):
+    """water rests around a box that is turned about all three axes"""
+    return at_rest(run, "turned_box_at_rest")
+
+
 def minute_at_rest(end):
     height, time = end.series["mean_z_m"], end.series["time_s"]
     energy = end.series["total_energy_j"]

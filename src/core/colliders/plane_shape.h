@@ -1,41 +1,35 @@
 // Grounds and plates.
 #pragma once
 
-#include "colliders/face_collector.h"
-#include "colliders/shape_basis.h"
-#include "ice_ice_baby/collider_mesh.h"
+#include "colliders/box_shape.h"
 
 namespace ice_ice_baby {
 
-/// Ground below z = 0, or a plate; bounds particle centres like ContainerShape.
+/// Ground below z = 0, or a plate, which is a box; bounds particle centres like ContainerShape.
 template <class Real>
 struct PlaneShape : ShapeBasis<Real> {
   Real surface;
   bool infinite;
-  AlignedBox<Real> plate;
+  BoxShape<Real> plate;
 
   Vec3<Real> resolve(const Vec3<Real>& from, const Vec3<Real>& to) const;
 
-  /// The ground or the top of the plate, for a point above it; empty below or beside it.
+  /// The ground for a point above it, empty below; the surfaces of a plate on every side.
   NearSurfaces<Real> near(const Vec3<Real>& point, Real reach_m) const;
 
-  std::optional<AlignedBox<Real>> box() const {
-    if (infinite) return std::nullopt;
-    const Real r = this->radius;
-    return AlignedBox<Real>{plate.low.array() + r, plate.high.array() - r};
-  }
+  std::optional<AlignedBox<Real>> box() const { return infinite ? std::nullopt : plate.box(); }
   bool solid(const Vec3<Real>& point) const {
-    return infinite ? point.z() < 0 : box()->holds(point);
+    return infinite ? point.z() < 0 : plate.solid(point);
   }
 
   std::uint32_t clear(const Vec3<Real>& from, const Vec3<Real>& to, Real margin_m) const {
     const Real above = surface + margin_m;
-    if (!infinite) return plate.isPassedBy(from, to, margin_m);
+    if (!infinite) return plate.clear(from, to, margin_m);
     return std::uint32_t(from.z() > above) & std::uint32_t(to.z() > above);
   }
 
   void faces(const PushedPath& path, FaceCollector& faces) const;
-  double turningRadius(double far_m) const { return infinite ? far_m : plate.reach(); }
+  double turningRadius(double far_m) const { return infinite ? far_m : plate.turningRadius(far_m); }
   ColliderMesh mesh(const MeshDetail& detail) const;
 
   template <class Other>
@@ -45,6 +39,9 @@ struct PlaneShape : ShapeBasis<Real> {
             infinite,
             plate.template cast<Other>()};
   }
+
+ private:
+  NearSurfaces<Real> nearGround(const Vec3<Real>& point, Real reach_m) const;
 };
 
 /// @param radius_m of a particle

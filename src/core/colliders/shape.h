@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "colliders/box_shape.h"
 #include "colliders/container_shape.h"
 #include "colliders/mesh_shape.h"
 #include "colliders/path_tile.h"
@@ -15,8 +16,8 @@ namespace ice_ice_baby {
 template <class Real>
 class Shape {
  public:
-  using Any =
-      std::variant<ContainerShape<Real>, PlaneShape<Real>, SphereShape<Real>, MeshShape<Real>>;
+  using Any = std::variant<ContainerShape<Real>, PlaneShape<Real>, SphereShape<Real>,
+                           BoxShape<Real>, MeshShape<Real>>;
 
   explicit Shape(Any any) : any_(std::move(any)) {}
 

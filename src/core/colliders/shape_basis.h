@@ -18,7 +18,8 @@ struct NearSurface {
   Real gap;            ///< from the point to the position of a touching particle, m
   Real distance;       ///< from the point to the surface, m; negative inside the solid
   Vec3<Real> normal;   ///< outward unit normal
-  Real flatness;       ///< radius of curvature / distance from its centre; 1: flat
+  Real flatness;       ///< square root of the area of a piece of it over that of the parallel
+                       ///< surface through the point; 1: flat, 0: edge or corner
   int axis;            ///< surfaces of a shape with different axes meet at right angles
   Vec3<Real> resting;  ///< position of a particle centre at rest on a flat surface
 };

@@ -71,8 +71,8 @@ void BoundaryDensity<Real>::buildTables(const RestLattice& lattice) {
   if (colliders_.count() > 1) overlap_.emplace(wallKernel());
 }
 
-/// What two solids share is taken off the later one, so containers and grounds come before plates
-/// and spheres.
+/// What two solids share is taken off the later one, so containers and grounds come before plates,
+/// boxes and spheres.
 template <class Real>
 void BoundaryDensity<Real>::sortColliders() {
   const auto rank = [&](std::size_t k) {

@@ -42,9 +42,15 @@ void AdiabaticMirrors<Real>::add(Faces& faces, std::size_t collider,
 
 /// Whether a point is above a flat face of a collider, however high, and not beside it.
 template <class Real>
-bool AdiabaticMirrors<Real>::over(std::size_t collider, const Vec3<Real>& point) const {
-  const Vec3<Real> local = colliders_[collider].motion.to.toLocal(point);
-  return colliders_[collider].shape.near(local, std::numeric_limits<Real>::infinity()).count > 0;
+bool AdiabaticMirrors<Real>::over(const Face& face, const Vec3<Real>& point) const {
+  const MovingShape<Real>& collider = colliders_[face.collider];
+  const Vec3<Real> local = collider.motion.to.toLocal(point);
+  const Vec3<Real> normal = collider.motion.to.rotation.transpose() * face.normal;
+  for (const NearSurface<Real>& surface :
+       collider.shape.near(local, std::numeric_limits<Real>::infinity())) {
+    if (isFace(surface) && surface.normal.dot(normal) >= kSame) return true;
+  }
+  return false;
 }
 
 /// Whether a plate with a temperature lies flush with a wall at the given point.
@@ -58,7 +64,7 @@ bool AdiabaticMirrors<Real>::coveredByPlate(const Vec3<Real>& foot,
     if (walls_.mirrors(k) || shape.hollow() || !shape.flat()) continue;
     const Pose<Real>& pose = colliders_[k].motion.to;
     for (const NearSurface<Real>& near : shape.near(pose.toLocal(before), 6 * hair)) {
-      if ((pose.rotation * near.normal).dot(inward) >= Real(0.999)) return true;
+      if (isFace(near) && (pose.rotation * near.normal).dot(inward) >= kSame) return true;
     }
   }
   return false;
@@ -76,6 +82,7 @@ typename AdiabaticMirrors<Real>::Faces AdiabaticMirrors<Real>::near(std::size_t 
     if (!walls_.mirrors(k) || !shape.flat()) continue;
     const Pose<Real>& pose = colliders_[k].motion.to;
     for (const NearSurface<Real>& surface : shape.near(pose.toLocal(point), support_)) {
+      if (!isFace(surface)) continue;
       const Vec3<Real> inward = pose.rotation * surface.normal;
       if (held && coveredByPlate(point - surface.distance * inward, inward)) continue;
       add(faces, k, surface, point);

@@ -48,11 +48,15 @@ class AdiabaticMirrors {
 
  private:
   static constexpr int kNone = -1;
+  static constexpr Real kSame = Real(0.999);  ///< cosine from which on two normals are the same
+
+  /// Edges and corners of a shape with flat faces do not mirror.
+  static bool isFace(const NearSurface<Real>& surface) { return surface.flatness == 1; }
 
   static Real distanceTo(const Face& face, const Vec3<Real>& point) {
     return std::max(face.normal.dot(point - face.origin), Real(0));
   }
-  bool over(std::size_t collider, const Vec3<Real>& point) const;
+  bool over(const Face& face, const Vec3<Real>& point) const;
   bool coveredByPlate(const Vec3<Real>& foot, const Vec3<Real>& inward) const;
   void add(Faces& faces, std::size_t collider, const NearSurface<Real>& surface,
            const Vec3<Real>& point) const;
@@ -74,7 +78,7 @@ void AdiabaticMirrors<Real>::forEachImage(const Faces& faces, std::size_t i, std
   std::array<Real, 8> further;  // added by each face to the squared distance
   for (int a = 0; a < faces.count; ++a) {
     const Face& face = faces.faces[std::size_t(a)];
-    const bool beside = owner_[i] == kNone && !over(face.collider, point);
+    const bool beside = owner_[i] == kNone && !over(face, point);
     const Real add = 4 * face.distance * distanceTo(face, point);
     further[std::size_t(a)] = beside ? reach2 : add;
   }

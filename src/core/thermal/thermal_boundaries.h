@@ -28,7 +28,8 @@ struct WallContact {
 
 /// A wall with a temperature counts as if the rest lattice continued behind it, with temperatures
 /// extrapolated linearly from the particle through the wall. A curved surface counts as the flat
-/// wall with the conductance of a spherical shell.
+/// wall with the conductance of a spherical shell. Particles beside an edge or a corner receive
+/// heat from their neighbours over the faces only. So a surface with a flux delivers flux x area.
 template <class Real>
 class ThermalBoundaries {
  public:

@@ -72,14 +72,16 @@ Scene everyShape() {
   scene.planes[1].name = "plate";
   scene.spheres.emplace_back().radius_m = 0.3;
   scene.spheres[0].name = "ball";
+  scene.boxes.emplace_back().size_m = {0.5, 0.3, 0.4};
+  scene.boxes[0].name = "box";
   return scene;
 }
 
 TEST(ColliderMeshTest, IsClosedAndComesInTheOrderOfTheScene) {
   const std::vector<Case> cases = meshesOf(everyShape());
-  ASSERT_EQ(cases.size(), 5u);
-  const std::array<std::string, 5> names{"open", "closed", "ground", "plate", "ball"};
-  for (std::size_t k = 0; k < 5; ++k) {
+  const std::array<std::string, 6> names{"open", "closed", "ground", "plate", "ball", "box"};
+  ASSERT_EQ(cases.size(), names.size());
+  for (std::size_t k = 0; k < names.size(); ++k) {
     SCOPED_TRACE(names[k]);
     EXPECT_EQ(cases[k].collider.name, names[k]);
     EXPECT_EQ(cases[k].mesh.infinite, names[k] == "ground");
@@ -97,6 +99,8 @@ TEST(ColliderMeshTest, FacesOutwardsAndHoldsTheVolumeOfTheSolid) {
   EXPECT_NEAR(volume(cases[2].mesh), 20.0 * 20.0 * 0.01, 1e-9);
   EXPECT_NEAR(volume(cases[3].mesh), 0.6 * 0.4 * 0.05, 1e-12);
   EXPECT_NEAR(area(cases[3].mesh), 2 * (0.6 * 0.4 + 0.6 * 0.05 + 0.4 * 0.05), 1e-12);
+  EXPECT_NEAR(volume(cases[5].mesh), 0.5 * 0.3 * 0.4, 1e-12);
+  EXPECT_NEAR(area(cases[5].mesh), 2 * (0.5 * 0.3 + 0.5 * 0.4 + 0.3 * 0.4), 1e-12);
 }
 
 TEST(ColliderMeshTest, OfABallComesNearerToItWithMoreSegments) {
@@ -136,6 +140,9 @@ TEST(ColliderMeshTest, VerticesLieOnTheSurface) {
     EXPECT_NEAR(v.z(), v.z() > -0.02 ? 0.0 : -0.05, 1e-12);
   }
   for (const Vec3d& v : cases[4].mesh.vertices) EXPECT_NEAR(v.norm(), 0.3, 1e-12);
+  for (const Vec3d& v : cases[5].mesh.vertices) {
+    EXPECT_LT((v.cwiseAbs() - Vec3d(0.25, 0.15, 0.2)).norm(), 1e-12);
+  }
   EXPECT_EQ(cases[4].mesh.half_axes_m, Vec3d::Constant(0.3));
 }
 

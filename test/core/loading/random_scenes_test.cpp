@@ -119,6 +119,10 @@ void keepSmall(Scene& scene, test::Random& random) {
     sphere.position_m = d * Vec3d(random.uniform(-4, 4), 0, 7);
     sphere.radius_m = d * random.uniform(0.5, 2.0);
   }
+  for (Box& box : scene.boxes) {
+    box.position_m = d * Vec3d(random.uniform(-4, 4), 3, 7);
+    box.size_m = d * random.inBox(Vec3d::Constant(0.5), Vec3d::Constant(1.5));
+  }
 }
 
 struct Drawn {
@@ -136,6 +140,7 @@ Drawn drawScene(std::uint64_t seed) {
   scene.containers.resize(std::size_t(random.uniform(0, 2)));
   scene.planes.resize(std::size_t(random.uniform(0, 2)));
   scene.spheres.resize(std::size_t(random.uniform(0, 2)));
+  scene.boxes.resize(std::size_t(random.uniform(0, 2)));
   describe(scene, Draw(random, keys));
   keepSmall(scene, random);
   for (Container& tank : scene.containers) tank.name = "tank";
