@@ -96,6 +96,7 @@ class Simulator final : public Simulation {
   void finishCollisions();
   void updateVelocityAndPosition(Real dt);
   void requirePlacement(const std::string& name, const Posed& pose) const;
+  void requirePlacements(const std::vector<ColliderPlacement>& placements) const;
   void jumpColliders();
   std::size_t carryAlong(const std::vector<Jump<Real>>& jumps);
   void expelWater();

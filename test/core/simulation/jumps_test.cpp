@@ -124,6 +124,11 @@ TEST_F(JumpsTest, APlacementThatIsRefusedPlacesNoneOfThem) {
   EXPECT_THROW(
       simulation->placeColliders({{"tank", posed({1, 0, 0})}, {"ball", posed({1e9, 0, 0})}}),
       InvalidInput);
+  const std::string twice = test::refusalOf([&] {
+    simulation->placeColliders(
+        {{"tank", posed({1, 0, 0})}, {"ball", posed({0, 0, 4})}, {"tank", posed({2, 0, 0})}});
+  });
+  EXPECT_EQ(twice, "collider tank is placed twice; give it one pose");
   EXPECT_EQ(simulation->stateHash(), before);
 }
 
