@@ -29,6 +29,9 @@ void describe(Block& b, Visitor&& visit) {
         "initial temperature, with thermal.enabled; below thermal.freezing_c the block is ice");
   visit("sheet", b.sheet,
         "one layer of particles joined by springs; it bends, but does not stretch or melt");
+  visit("carve", b.carve,
+        "whether particles that would lie in a collider or touch it are left out; false: a block "
+        "that reaches into a collider is refused");
   visit("copies", b.copies, Range{1.0, 1000.0},
         "number of copies along x, y, z: whole numbers, at most 1000 in total");
   visit("copies_step_m", b.copies_step_m, kCoordinateRange_m,

@@ -11,6 +11,7 @@
 #include "colliders/clearance.h"
 #include "ice_ice_baby/errors.h"
 #include "loading/memory_need.h"
+#include "spawn/spawn_particles.h"
 
 namespace ice_ice_baby {
 

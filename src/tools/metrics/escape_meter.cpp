@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "colliders/colliders.h"
-#include "scene/lattice.h"
+#include "spawn/spawn_points.h"
 
 namespace ice_ice_baby {
 
@@ -12,16 +12,15 @@ namespace ice_ice_baby {
 class EscapeMeter::Enclosed {
  public:
   explicit Enclosed(const Scene& scene) : colliders_(scene, scene.fluid.spacing_m / 2) {
+    const SpawnPoints points(scene);
     std::uint32_t first = 0;
-    for (const Block& block : scene.blocks) {
-      const double count = particleCount(block, scene.spacing_m(block), scene.limits.max_particles);
-      const std::uint32_t last = first + static_cast<std::uint32_t>(count);
+    for (std::size_t block = 0; block < scene.blocks.size(); ++block) {
+      std::uint32_t count = 0;
+      points.forEach(block, [&](const Vec3d&) { ++count; });
       for (const MovingShape<double>& collider : colliders_) {
-        const Vec3d local = collider.placed.toLocal(block.centre_m());
-        if (!collider.shape.closed() || !collider.shape.holds(local)) continue;
-        held_.push_back({first, last, collider});
+        if (collider.shape.closed()) hold(points, block, first, collider);
       }
-      first = last;
+      first += count;
     }
   }
 
@@ -40,11 +39,25 @@ class EscapeMeter::Enclosed {
   }
 
  private:
-  /// Particles of one block in one collider.
+  /// Particles with consecutive ids in one collider.
   struct Held {
     std::uint32_t first_id, last_id;  ///< last_id is not among them
     const MovingShape<double>& collider;
   };
+
+  /// Adds the particles of a block that begin in a collider. A carved block may have others too.
+  /// @param id of its first particle
+  void hold(const SpawnPoints& points, std::size_t block, std::uint32_t id,
+            const MovingShape<double>& collider) {
+    bool begun = false;
+    points.forEach(block, [&](const Vec3d& x) {
+      const bool inside = collider.shape.holds(collider.placed.toLocal(x));
+      if (inside && !begun) held_.push_back({id, id, collider});
+      begun = inside;
+      ++id;
+      if (inside) held_.back().last_id = id;
+    });
+  }
 
   Colliders<double> colliders_;
   std::vector<Held> held_;
