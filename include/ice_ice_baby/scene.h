@@ -66,6 +66,7 @@ struct Scene : ColliderLists {
   ThermalParams thermal;
   IceParams ice;
   SteamParams steam;
+  BoundsParams bounds;
   LimitParams limits;
   std::vector<TemperatureEvent> schedule;
   std::vector<Block> blocks;

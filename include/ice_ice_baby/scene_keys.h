@@ -55,6 +55,8 @@ void describe(Scene& s, Visitor&& visit) {
                 "temperature of each particle: conduction, freezing, boiling");
   visit.section("ice", s.ice, "ice, with thermal.enabled");
   visit.section("steam", s.steam, "steam, with thermal.enabled");
+  visit.section("bounds", s.bounds,
+                "the space of the scene: particles that leave it are removed and counted");
   visit.section("limits", s.limits, "limits");
   visit.list("schedule", s.schedule, "temperature over time");
   visit.list("blocks", s.blocks, "the water");

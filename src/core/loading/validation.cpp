@@ -6,6 +6,7 @@
 #include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_keys.h"
+#include "loading/bounds_check.h"
 #include "particles/kernels.h"
 #include "scene/lattice.h"
 #include "spawn/spawn_check.h"
@@ -166,6 +167,7 @@ void validate(const Scene& scene) {
   requireSweeps(scene);
   requireOneGoal(scene);
   requireBlocks(scene);
+  requireBounds(scene);
   requireFluid(scene);
   requireFreeSpawn(scene);
 }

@@ -85,6 +85,7 @@ const StepReport& Simulator<Real>::advanceFrame() {
   if (!report_.asleep) {
     arena_.execute([&] {
       runSubsteps();
+      removeSpilled();
       if (phase_change_) {
         phase_change_->advance(particles_, neighbours_, temperature_.celsius());
       }
