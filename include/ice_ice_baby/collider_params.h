@@ -11,8 +11,6 @@
 
 namespace ice_ice_baby {
 
-constexpr Range kCoordinateRange_m{-kMaxCoordinate_m, kMaxCoordinate_m};
-
 /// Pose with the rotation Rz(yaw) Ry(pitch) Rx(roll), as in REP 103.
 Posed poseOf(const Vec3d& position_m, const Vec3d& rpy_deg);
 

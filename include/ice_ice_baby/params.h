@@ -25,6 +25,8 @@ struct Range {
 /// Largest coordinate at which single precision still resolves a hundredth of a millimetre.
 constexpr double kMaxCoordinate_m = 100.0;
 
+constexpr Range kCoordinateRange_m{-kMaxCoordinate_m, kMaxCoordinate_m};
+
 enum class Preset { kDefault, kPaper };
 enum class KernelPair { kCubic, kPoly6Spiky };
 enum class Quality { kFast, kBalanced, kAccurate };
@@ -260,6 +262,19 @@ void describe(SteamParams& p, Visitor&& visit) {
         "heat transfer coefficient between a steam particle and the air");
   visit("condensation_heat_transfer_w_m2k", p.condensation_heat_transfer_w_m2k, Range{0.0, 1e6},
         "heat transfer coefficient between steam and a wall it touches");
+}
+
+/// From 64 m on, single precision is too coarse for the friction of slow water. Water that falls
+/// freely reaches the default solver.max_speed_m_s after 46 m.
+struct BoundsParams {
+  Vec3d min_m = Vec3d::Constant(-40.0);
+  Vec3d max_m = Vec3d::Constant(40.0);
+};
+
+template <class Visitor>
+void describe(BoundsParams& p, Visitor&& visit) {
+  visit("min_m", p.min_m, kCoordinateRange_m, "lower corner");
+  visit("max_m", p.max_m, kCoordinateRange_m, "upper corner; must be above min_m on every axis");
 }
 
 struct LimitParams {

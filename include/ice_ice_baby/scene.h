@@ -25,6 +25,7 @@ struct Block {
   Vec3d angular_velocity_rad_s = Vec3d::Zero();
   double celsius = 20.0;  ///< below freezing: starts as one body of ice; thermal scenes only
   bool sheet = false;
+  bool carve = false;                   ///< leaves out particles that would touch a collider
   Vec3d copies = Vec3d::Ones();         ///< along x, y, z; expanded to blocks when read
   Vec3d copies_step_m = Vec3d::Zero();  ///< from one copy to the next
 
@@ -65,6 +66,7 @@ struct Scene : ColliderLists {
   ThermalParams thermal;
   IceParams ice;
   SteamParams steam;
+  BoundsParams bounds;
   LimitParams limits;
   std::vector<TemperatureEvent> schedule;
   std::vector<Block> blocks;
@@ -98,6 +100,7 @@ constexpr Range kGravityRange_m_s2{-1e4, 1e4};
 
 /// Number of particles that the scene spawns. A sphere or cylinder whose box holds more than four
 /// times limits.max_particles counts as the whole box, because the scene exceeds the limit anyway.
+/// Blocks that hold more than that all together count whole, even with `carve`.
 std::int64_t particleCount(const Scene& scene);
 
 /// Checks every value against its range, and combinations of values: freezing below onset, a kernel

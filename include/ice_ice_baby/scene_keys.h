@@ -29,6 +29,9 @@ void describe(Block& b, Visitor&& visit) {
         "initial temperature, with thermal.enabled; below thermal.freezing_c the block is ice");
   visit("sheet", b.sheet,
         "one layer of particles joined by springs; it bends, but does not stretch or melt");
+  visit("carve", b.carve,
+        "whether particles that would lie in a collider or touch it are left out; false: a block "
+        "that reaches into a collider is refused");
   visit("copies", b.copies, Range{1.0, 1000.0},
         "number of copies along x, y, z: whole numbers, at most 1000 in total");
   visit("copies_step_m", b.copies_step_m, kCoordinateRange_m,
@@ -52,6 +55,8 @@ void describe(Scene& s, Visitor&& visit) {
                 "temperature of each particle: conduction, freezing, boiling");
   visit.section("ice", s.ice, "ice, with thermal.enabled");
   visit.section("steam", s.steam, "steam, with thermal.enabled");
+  visit.section("bounds", s.bounds,
+                "the space of the scene: particles that leave it are removed and counted");
   visit.section("limits", s.limits, "limits");
   visit.list("schedule", s.schedule, "temperature over time");
   visit.list("blocks", s.blocks, "the water");

@@ -81,7 +81,8 @@ class Simulation {
 
   /// Places colliders at once, all together, without motion: their contents go along and keep their
   /// velocity relative to them, and water where they arrive is moved out of them.
-  /// @throws InvalidInput as moveCollider; nothing has changed then
+  /// @throws InvalidInput as moveCollider, and for a name that occurs twice; nothing has changed
+  /// then
   virtual void placeColliders(const std::vector<ColliderPlacement>& placements) = 0;
 
   /// Pose of a collider now. @throws InvalidInput for an unknown name

@@ -19,6 +19,7 @@ void describeReproducible(Visitor&& visit, Records&... r) {
   visit("frame", r.frame..., "frames since the start of the scene");
   visit("time_s", r.time_s..., "simulated since the start of the scene");
   visit("particles", r.particles..., "in the scene");
+  visit("spilled", r.spilled..., "particles that left the bounds of the scene, since the start");
   visit("springs", r.springs..., "between particles");
   visit("temperature_c", r.temperature_c...,
         "degrees Celsius, of the whole scene; with heat that of the air");
@@ -72,6 +73,7 @@ struct StepReport {
   std::uint64_t frame = 0;
   double time_s = 0.0;
   std::size_t particles = 0;
+  std::uint64_t spilled = 0;
   std::size_t springs = 0;
   double temperature_c = 0.0;
   double strictness = 0.0;

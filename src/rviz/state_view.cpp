@@ -60,7 +60,9 @@ void StateView::show(const State& state) {
   time_->setText(QString("%1 s").arg(state.time_s, 0, 'f', 2));
   real_time_->setText(state.paused ? QString("paused")
                                    : QString("%1").arg(state.real_time_factor, 0, 'f', 2));
-  particles_->setText(count(state.particles));
+  const QString spilled =
+      QString(", %1 spilled").arg(count(static_cast<std::uint32_t>(state.spilled)));
+  particles_->setText(count(state.particles) + (state.spilled > 0 ? spilled : QString()));
   springs_->setText(count(state.springs));
   density_error_->setText(QString("%1 % / %2 %")
                               .arg(100.0 * state.density_error_mean, 0, 'f', 2)

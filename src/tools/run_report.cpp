@@ -103,7 +103,8 @@ std::string instability(const RunRecord& record, const StepReport& report) {
   if (record.escaped > 0) {
     return std::to_string(record.escaped) + " particles left a closed container";
   }
-  if (2 * record.max_speed_limited > report.particles && report.particles > 0) {
+  const std::uint64_t all = report.particles + report.spilled;
+  if (2 * record.max_speed_limited > all && report.particles > 0) {
     return "the speed limit had to slow more than half of all particles within one frame";
   }
   if (record.density_error_max > kCrushed) {

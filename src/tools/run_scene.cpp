@@ -140,7 +140,11 @@ void printSummary(const Simulation& simulation, const RunRecord& record) {
       record.samples > 0 ? 1e3 * record.wall_time_s / double(record.samples) : 0.0,
       100 * record.density_error_mean, 100 * record.density_error_max, report.springs,
       report.rms_speed_m_s, report.asleep ? ", asleep" : "");
-  warnOfLimits(simulation.scene(), report.particles, record);
+  if (report.spilled > 0) {
+    std::printf("%llu particles left the bounds of the scene\n",
+                static_cast<unsigned long long>(report.spilled));
+  }
+  warnOfLimits(simulation.scene(), report.particles + report.spilled, record);
   warnOfQuality(simulation.report());
 }
 

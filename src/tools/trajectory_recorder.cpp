@@ -1,6 +1,6 @@
 #include "trajectory_recorder.h"
 
-#include <vector>
+#include <limits>
 
 #include "ice_ice_baby/errors.h"
 
@@ -19,9 +19,17 @@ TrajectoryRecorder::TrajectoryRecorder(std::string path, std::size_t particles)
 }
 
 void TrajectoryRecorder::add(const FrameView& frame) {
-  std::vector<float> row;
-  row.reserve(3 * particles_);
-  for (const ParticleSample& p : frame.particles) row.insert(row.end(), {p.x, p.y, p.z});
+  if (frames_ == 0) {
+    for (const ParticleSample& p : frame.particles) ids_.push_back(p.id);
+  }
+  std::vector<float> row(3 * particles_, std::numeric_limits<float>::quiet_NaN());
+  std::size_t column = 0;
+  for (const ParticleSample& p : frame.particles) {
+    while (ids_[column] != p.id) ++column;
+    row[3 * column] = p.x;
+    row[3 * column + 1] = p.y;
+    row[3 * column + 2] = p.z;
+  }
   file_.write(reinterpret_cast<const char*>(row.data()),
               std::streamsize(row.size() * sizeof(float)));
   ++frames_;

@@ -93,7 +93,7 @@ void run(Simulation& simulation, const std::string& line) {
 void commands(const std::string& bytes) {
   static const Scene scene = parseScene(kCommandsScene);
   const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
-  const std::size_t particles = simulation->report().particles;
+  const std::size_t particles = particlesEver(*simulation);
   std::istringstream lines(bytes);
   std::string line;
   for (int k = 0; k < kMaxCommands && std::getline(lines, line); ++k) {

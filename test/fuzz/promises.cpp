@@ -34,10 +34,15 @@ void requireReadable(const std::string& message) {
   }
 }
 
+std::size_t particlesEver(const Simulation& simulation) {
+  return simulation.report().particles + simulation.report().spilled;
+}
+
 void requireWhole(const Simulation& simulation, std::size_t particles) {
   std::vector<ParticleSample> samples;
   simulation.sample(samples);
-  if (samples.size() != particles || simulation.report().particles != particles) {
+  const bool counted = samples.size() == simulation.report().particles;
+  if (!counted || particlesEver(simulation) != particles) {
     throw Broken(std::to_string(samples.size()) + " particles of " + std::to_string(particles));
   }
   const auto bad = std::find_if_not(samples.begin(), samples.end(), finite);
@@ -52,7 +57,7 @@ bool isSmall(const Scene& scene, std::int64_t particles) {
 }
 
 void runTwoFrames(Simulation& simulation) {
-  const std::size_t particles = simulation.report().particles;
+  const std::size_t particles = particlesEver(simulation);
   requireWhole(simulation, particles);
   for (int frame = 0; frame < 2; ++frame) {
     simulation.advanceFrame();

@@ -11,7 +11,11 @@ namespace ice_ice_baby::fuzz {
 /// A refusal must be one printable line of readable length.
 void requireReadable(const std::string& message);
 
-/// Every particle must be there and finite.
+/// Particles in the scene and those that left its bounds.
+std::size_t particlesEver(const Simulation& simulation);
+
+/// Every particle must be there, or counted as spilled, and finite.
+/// @param particles particlesEver at the start
 void requireWhole(const Simulation& simulation, std::size_t particles);
 
 /// Whether two frames of the scene take milliseconds.

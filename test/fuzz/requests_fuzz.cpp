@@ -63,7 +63,7 @@ void requests(const std::string& bytes) {
   if (bytes.empty()) return;
   const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
   const std::uint64_t before = simulation->stateHash();
-  const std::size_t particles = simulation->report().particles;
+  const std::size_t particles = particlesEver(*simulation);
   try {
     serve(*simulation, bytes);
   } catch (const InvalidInput& e) {

@@ -57,8 +57,9 @@ TEST_F(Commands, GravityThatFlipsEveryFrame) {
 
 TEST_F(Commands, AContainerThatJumps) {
   line(16, "A closed tank jumps by up to 100 m within a frame, turning", "the contents move along");
+  const Override wide{"bounds", "{min_m: [-100, -100, -100], max_m: [100, 100, 100]}"};
   for (const char* scene : {"splash", "iceberg", "hail"}) {
-    WatchedRun run(figures_, stabilityScene(scene));
+    WatchedRun run(figures_, stabilityScene(scene, {wide}));
     const std::string name = run->scene().containers[0].name;
     Random random(5);
     run.frames(20);

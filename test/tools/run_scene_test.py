@@ -239,6 +239,26 @@ class RunScene(RunSceneCase):
         last = numpy.array([[row["x"], row["y"], row["z"]] for row in self.table("--particles")])
         self.assertTrue(numpy.allclose(record[-1], last))
 
+    def test_water_with_nothing_below_it_leaves_the_bounds_and_the_run_ends_well(self):
+        record = self.folder / "record.npy"
+        falls = ("--set", "containers=[]")
+        bounds = ("--set", "bounds.min_m=[-1, -1, 0]")
+        report = self.report(*falls, *bounds, "--duration", 0.5, "--record", record)
+        self.assertEqual((report["particles"], report["spilled"]), (0, 180))
+        self.assertLess(report["error"]["energy_rise"], 1e-3)
+        positions = numpy.load(record)
+        self.assertEqual(positions.shape, (31, 180, 3))
+        gone = numpy.isnan(positions).all(axis=2)
+        self.assertTrue((gone == numpy.isnan(positions).any(axis=2)).all())
+        self.assertTrue((gone[1:] >= gone[:-1]).all(), "nothing returns")
+        self.assertEqual(sorted(set(gone.sum(axis=1))), [0, 36, 72, 108, 144, 180], "by layers")
+        self.assertTrue((gone[:, :36] >= gone[:, -36:]).all(), "the lowest layer first")
+
+    def test_water_in_free_fall_leaves_the_default_bounds_before_the_speed_limit(self):
+        report = self.report("--set", "containers=[]", "--duration", 3.2, "--sample-hz", 5)
+        self.assertEqual((report["particles"], report["spilled"]), (0, 180))
+        self.assertEqual(report["speed_limited"], 0)
+
     def test_report_has_the_faces_that_the_scene_has_and_the_settings_in_force(self):
         report = self.report("--set", "solver.substeps=5")
         metrics = report["error"]

@@ -260,6 +260,7 @@ def far_from_the_origin(run):
         "blocks.0.min_m=[98.75, 98.8, 90]",
         "blocks.0.max_m=[99.25, 99.2, 90.4]",
         "containers.0.position_m=[99, 99, 90]",
+        "bounds.max_m=[100, 100, 100]",
     )
     near, out = run("pool", duration_s=5, series=True), run("pool", *far, duration_s=5, series=True)
     error = [end.series()["density_error_mean"][-60:].mean() for end in (near, out)]

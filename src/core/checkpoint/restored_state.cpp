@@ -208,6 +208,7 @@ void Simulator<Real>::restore(std::size_t n) {
   requireValid(within(strictness_, 0.0, 1.0), "strictness out of range");
   requireValid(still_s_ >= 0.0 && report_.time_s >= 0.0 && within(report_.substeps, 0, 1000),
                "time out of range");
+  requireValid(report_.spilled <= particles_.next_id - n, "more particles spilled than there were");
   temperature_.restore();
   report_.particles = n;
   report_.springs = springs_ ? springs_->size() : 0;

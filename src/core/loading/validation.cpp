@@ -6,9 +6,10 @@
 #include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_keys.h"
-#include "loading/spawn_check.h"
+#include "loading/bounds_check.h"
 #include "particles/kernels.h"
 #include "scene/lattice.h"
+#include "spawn/spawn_check.h"
 
 namespace ice_ice_baby {
 
@@ -128,7 +129,7 @@ void requireBlock(const Scene& scene, const Block& block, const std::string& nam
                        "freezes nor melts; set one of them to false");
   }
   const double spacing = scene.spacing_m(block);
-  if (particleCount(block, spacing, scene.limits.max_particles) > 0) return;
+  if (latticeCount(block, spacing, scene.limits.max_particles) > 0) return;
   throw InvalidInput(name + " holds no particle: max_m must exceed min_m by at least " +
                      numberText(spacing) +
                      " m along every axis, the spacing that follows from fluid.spacing_m");
@@ -166,6 +167,7 @@ void validate(const Scene& scene) {
   requireSweeps(scene);
   requireOneGoal(scene);
   requireBlocks(scene);
+  requireBounds(scene);
   requireFluid(scene);
   requireFreeSpawn(scene);
 }

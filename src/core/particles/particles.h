@@ -99,9 +99,4 @@ struct Spawn {
   std::uint32_t count = 0;
 };
 
-/// Fills every block of the scene with its lattice, in the order of the scene file.
-/// @param spawns one entry per block
-template <class Real>
-Particles<Real> spawnParticles(const Scene& scene, std::vector<Spawn>& spawns);
-
 }  // namespace ice_ice_baby

@@ -38,7 +38,7 @@ LatticeRow latticeRow(const Block& block, double spacing_m,
 }
 
 // Counting a shape row by row takes time; a shape fills about half of its box.
-double particleCount(const Block& block, double spacing_m, double max_count) {
+double latticeCount(const Block& block, double spacing_m, double max_count) {
   const auto size = latticeSize(block, spacing_m);
   const double whole = size.cast<double>().prod();
   if (block.shape == BlockShape::kBox || whole > 4 * max_count) return whole;
@@ -52,13 +52,10 @@ double particleCount(const Block& block, double spacing_m, double max_count) {
   return count;
 }
 
-std::int64_t particleCount(const Scene& scene) {
-  const double max_count = scene.limits.max_particles;
-  double count = 0.0;
-  for (const Block& block : scene.blocks) {
-    count += particleCount(block, scene.spacing_m(block), std::max(0.0, max_count - count));
-  }
-  return static_cast<std::int64_t>(std::min(count, 9e18));
+Eigen::AlignedBox3d boxAround(const Block& block) {
+  const Posed pose = poseOf(block.centre_m(), block.rpy_deg);
+  const Vec3d half = pose.rotation.cwiseAbs() * (block.max_m - block.min_m) / 2;
+  return {block.centre_m() - half, block.centre_m() + half};
 }
 
 }  // namespace ice_ice_baby

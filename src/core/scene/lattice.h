@@ -1,6 +1,7 @@
 // The cubic lattice on which the particles of a block begin.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 
 #include "ice_ice_baby/scene.h"
@@ -22,11 +23,14 @@ struct LatticeRow {
 LatticeRow latticeRow(const Block& block, double spacing_m,
                       const Eigen::Array<std::int64_t, 3, 1>& size, std::int64_t y, std::int64_t z);
 
-/// Particles of one block, as a double because a scene file can ask for more than an integer holds.
-/// A shape whose box holds more than four times `max_count` counts as the whole box.
-double particleCount(const Block& block, double spacing_m, double max_count);
+/// Lattice points of one block, as a double because a scene file can ask for more than an integer
+/// holds. A shape whose box holds more than four times `max_count` counts as the whole box.
+double latticeCount(const Block& block, double spacing_m, double max_count);
 
-/// Calls visit(point) for every particle that a block spawns, x fastest, then y, then z.
+/// Axis-aligned box around the box of a block, which may be rotated.
+Eigen::AlignedBox3d boxAround(const Block& block);
+
+/// Calls visit(point) for every lattice point of a block, x fastest, then y, then z.
 template <class Visit>
 void forEachLatticePoint(const Block& block, double spacing_m, const Visit& visit) {
   const auto size = latticeSize(block, spacing_m);

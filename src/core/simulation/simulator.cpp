@@ -11,6 +11,7 @@
 #include "colliders/clearance.h"
 #include "ice_ice_baby/errors.h"
 #include "loading/memory_need.h"
+#include "spawn/spawn_particles.h"
 
 namespace ice_ice_baby {
 
@@ -84,6 +85,7 @@ const StepReport& Simulator<Real>::advanceFrame() {
   if (!report_.asleep) {
     arena_.execute([&] {
       runSubsteps();
+      removeSpilled();
       if (phase_change_) {
         phase_change_->advance(particles_, neighbours_, temperature_.celsius());
       }

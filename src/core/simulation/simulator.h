@@ -48,7 +48,8 @@ class Simulator final : public Simulation {
 
   /// Adds particles between two frames, for example from a tap. The report contains the new number
   /// of particles at once; the rest of it changes after the next frame.
-  /// @param position_m (k) outside colliders and at least a spacing from other particles
+  /// @param position_m (k) within the bounds of the scene, outside colliders and at least a spacing
+  /// from other particles
   /// @param velocity_m_s (k)
   /// @param celsius their temperature; ignored unless the scene is thermal
   /// @return id of the first; the others have consecutive ids
@@ -88,6 +89,7 @@ class Simulator final : public Simulation {
   void renewNeighbours();
   void reorder(const std::vector<Index>& order);
   void separateCoincident();
+  void removeSpilled();
   void followParticles();
   void makeSprings();
   void correctSprings(double dt_s, int iteration);
@@ -96,6 +98,7 @@ class Simulator final : public Simulation {
   void finishCollisions();
   void updateVelocityAndPosition(Real dt);
   void requirePlacement(const std::string& name, const Posed& pose) const;
+  void requirePlacements(const std::vector<ColliderPlacement>& placements) const;
   void jumpColliders();
   std::size_t carryAlong(const std::vector<Jump<Real>>& jumps);
   void expelWater();

@@ -1,5 +1,6 @@
 // Commands of users between frames. Each is checked completely before anything changes.
 #include <algorithm>
+#include <set>
 
 #include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
@@ -61,6 +62,16 @@ void Simulator<Real>::requirePlacement(const std::string& name, const Posed& pos
 }
 
 template <class Real>
+void Simulator<Real>::requirePlacements(const std::vector<ColliderPlacement>& placements) const {
+  std::set<std::string> placed;
+  for (const auto& [name, pose] : placements) {
+    requirePlacement(name, pose);
+    if (placed.insert(name).second) continue;
+    throw InvalidInput("collider " + name + " is placed twice; give it one pose");
+  }
+}
+
+template <class Real>
 void Simulator<Real>::moveCollider(const std::string& name, const Posed& pose) {
   requirePlacement(name, pose);
   const Posed now = colliders_.pose(name);
@@ -73,7 +84,7 @@ void Simulator<Real>::moveCollider(const std::string& name, const Posed& pose) {
 
 template <class Real>
 void Simulator<Real>::placeColliders(const std::vector<ColliderPlacement>& placements) {
-  for (const auto& [name, pose] : placements) requirePlacement(name, pose);
+  requirePlacements(placements);
   std::vector<Jump<Real>> jumps;
   for (const auto& [name, pose] : placements) {
     const Posed now = colliders_.pose(name);

@@ -1,6 +1,8 @@
 // Adds and removes particles between two frames.
+#include <atomic>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "ice_ice_baby/errors.h"
 #include "simulation/simulator.h"
 
@@ -13,12 +15,41 @@ void requireVelocity(const Vec3d& velocity_m_s, double max_speed_m_s) {
   requireInRange("speed of a new particle in m/s", speed_m_s, 0.0, max_speed_m_s);
 }
 
-void requirePosition(const Vec3d& position_m) {
+void requirePosition(const Vec3d& position_m, const BoundsParams& bounds) {
   for (int axis = 0; axis < 3; ++axis) {
     requireInRange(std::string(1, "xyz"[axis]) + " of a new particle in m", position_m[axis],
-                   kCoordinateRange_m.min, kCoordinateRange_m.max);
+                   bounds.min_m[axis], bounds.max_m[axis]);
   }
 }
+
+/// The bounds of a scene in the precision of its particles.
+template <class Real>
+class Bounds {
+ public:
+  explicit Bounds(const BoundsParams& params)
+      : low_(params.min_m.cast<Real>()), high_(params.max_m.cast<Real>()) {}
+
+  bool excludes(const Vec3<Real>& x) const {
+    return (x.array() < low_.array()).any() || (x.array() > high_.array()).any();
+  }
+
+  bool excludesAny(const VectorField<Real>& x) const {
+    std::atomic<bool> excluded{false};
+    parallelForRanges(x.size(), [&](std::size_t first, std::size_t last) {
+      unsigned outside = 0;
+      for (std::size_t i = first; i != last; ++i) {
+        outside |= unsigned(x.x[i] < low_.x()) | unsigned(x.x[i] > high_.x()) |
+                   unsigned(x.y[i] < low_.y()) | unsigned(x.y[i] > high_.y()) |
+                   unsigned(x.z[i] < low_.z()) | unsigned(x.z[i] > high_.z());
+      }
+      if (outside != 0) excluded.store(true, std::memory_order_relaxed);
+    });
+    return excluded;
+  }
+
+ private:
+  Vec3<Real> low_, high_;
+};
 
 }  // namespace
 
@@ -31,7 +62,7 @@ std::uint32_t Simulator<Real>::addParticles(const std::vector<Vec3d>& position_m
     throw InvalidInput(std::to_string(count) + " positions of new particles and " +
                        std::to_string(velocity_m_s.size()) + " velocities; give one for each");
   }
-  for (const Vec3d& x : position_m) requirePosition(x);
+  for (const Vec3d& x : position_m) requirePosition(x, scene_.bounds);
   for (const Vec3d& v : velocity_m_s) requireVelocity(v, scene_.solver.max_speed_m_s);
   requireTemperature(celsius, 0.0);
   requireInRange("particles with the new ones", double(particles_.owned() + count), 0.0,
@@ -72,6 +103,16 @@ std::size_t Simulator<Real>::removeParticles(
     followParticles();
   });
   return went;
+}
+
+/// Removes the particles that ended the frame outside the bounds of the scene.
+template <class Real>
+void Simulator<Real>::removeSpilled() {
+  const Bounds<Real> bounds(scene_.bounds);
+  if (!bounds.excludesAny(particles_.position)) return;
+  report_.spilled += removeParticles([&](std::uint32_t, const Vec3d& position_m) {
+    return bounds.excludes(position_m.cast<Real>());
+  });
 }
 
 /// Updates everything that depends on the set of particles. Moves none, except new particles that

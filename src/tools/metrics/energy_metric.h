@@ -1,6 +1,7 @@
 // Energy that a run gains or loses.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "metrics/error_metrics.h"
@@ -15,6 +16,7 @@ namespace ice_ice_baby {
 /// only its sign and its change between settings matter. `energy_rise`: the largest rise of the
 /// total above its running minimum. No work is done on the water, so the ideal is 0. The total is
 /// the sum of kinetic, potential and elastic energy, so the rebound of compressed water is no rise.
+/// The change in a frame in which particles left the bounds of the scene does not count.
 class EnergyMetric final : public MetricRecorder {
  public:
   /// Null for a scene without water or without available energy.
@@ -31,6 +33,7 @@ class EnergyMetric final : public MetricRecorder {
   double end_j_ = 0.0;
   double min_j_ = std::numeric_limits<double>::max();
   double rise_j_ = 0.0;
+  std::uint64_t spilled_ = 0;  ///< so far
 };
 
 }  // namespace ice_ice_baby

@@ -1,27 +1,28 @@
 #include "metrics/escape_meter.h"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "colliders/colliders.h"
-#include "scene/lattice.h"
+#include "spawn/spawn_points.h"
 
 namespace ice_ice_baby {
 
-/// Which block spawned its particles in which collider.
+/// Which particles begin in which closed collider.
 class EscapeMeter::Enclosed {
  public:
   explicit Enclosed(const Scene& scene) : colliders_(scene, scene.fluid.spacing_m / 2) {
-    std::uint32_t first = 0;
-    for (const Block& block : scene.blocks) {
-      const double count = particleCount(block, scene.spacing_m(block), scene.limits.max_particles);
-      const std::uint32_t last = first + static_cast<std::uint32_t>(count);
-      for (const MovingShape<double>& collider : colliders_) {
-        const Vec3d local = collider.placed.toLocal(block.centre_m());
-        if (!collider.shape.closed() || !collider.shape.holds(local)) continue;
-        held_.push_back({first, last, collider});
+    const SpawnPoints points(scene);
+    for (const MovingShape<double>& collider : colliders_) {
+      if (!collider.shape.closed()) continue;
+      Held held{{}, collider};
+      std::size_t inside = 0;
+      for (std::size_t block = 0; block < scene.blocks.size(); ++block) {
+        points.forEach(block, [&](const Vec3d& x) {
+          held.begins.push_back(collider.shape.holds(collider.placed.toLocal(x)));
+          inside += held.begins.back();
+        });
       }
-      first = last;
+      if (inside > 0) held_.push_back(std::move(held));
     }
   }
 
@@ -31,7 +32,7 @@ class EscapeMeter::Enclosed {
     for (const Held& held : held_) {
       const Posed pose = simulation.colliderPose(held.collider.name);
       const auto out = [&](const ParticleSample& p) {
-        if (p.id < held.first_id || p.id >= held.last_id) return false;
+        if (p.id >= held.begins.size() || !held.begins[p.id]) return false;
         return !held.collider.shape.holds(pose.toLocal(Vec3d(p.x, p.y, p.z)));
       };
       escaped += static_cast<std::size_t>(std::count_if(particles.begin(), particles.end(), out));
@@ -40,9 +41,8 @@ class EscapeMeter::Enclosed {
   }
 
  private:
-  /// Particles of one block in one collider.
   struct Held {
-    std::uint32_t first_id, last_id;  ///< last_id is not among them
+    std::vector<bool> begins;  ///< (ids) whether a particle begins in the collider
     const MovingShape<double>& collider;
   };
 

@@ -13,7 +13,7 @@ class EscapeMeter {
   explicit EscapeMeter(const Scene& scene);
   ~EscapeMeter();
 
-  /// Particles of blocks that began in a closed collider and are no longer inside it.
+  /// Particles that began in a closed collider and are no longer inside it.
   /// @param simulation of the scene
   /// @param particles of it, as Simulation::sample gives them now
   std::size_t count(const Simulation& simulation,

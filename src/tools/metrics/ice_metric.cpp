@@ -29,17 +29,20 @@ std::vector<Vec3d> positionsOf(const std::vector<ParticleSample>& particles) {
 
 using Point = std::array<float, 3>;
 
-/// Ids of the ends of every spring. Spring samples contain positions only, which are bit-identical
-/// to those of the particle samples.
-std::vector<std::pair<std::size_t, std::size_t>> joinedIds(const FrameView& frame) {
-  std::map<Point, std::size_t> ids;
-  for (const ParticleSample& p : frame.particles) ids[{p.x, p.y, p.z}] = p.id;
+/// Places of the ends of every spring among the samples. Spring samples contain positions only,
+/// which are bit-identical to those of the particle samples.
+std::vector<std::pair<std::size_t, std::size_t>> joinedPlaces(const FrameView& frame) {
+  std::map<Point, std::size_t> places;
+  for (std::size_t k = 0; k < frame.particles.size(); ++k) {
+    const ParticleSample& p = frame.particles[k];
+    places[{p.x, p.y, p.z}] = k;
+  }
   std::vector<SpringSample> springs;
   frame.simulation.sampleSprings(springs, frame.report().springs);
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   pairs.reserve(springs.size());
   for (const SpringSample& s : springs) {
-    pairs.emplace_back(ids.at({s.ax, s.ay, s.az}), ids.at({s.bx, s.by, s.bz}));
+    pairs.emplace_back(places.at({s.ax, s.ay, s.az}), places.at({s.bx, s.by, s.bz}));
   }
   return pairs;
 }
@@ -64,9 +67,10 @@ void IceMetric::add(const FrameView& frame) {
     if (!melted_) melted_ = !frozen_.empty();
     return;
   }
-  if (frozen_.empty() || melted_) {
+  // Ice of which particles spilled is a new piece, too.
+  if (frozen_.empty() || melted_ || frame.particles.size() != frozen_.size()) {
     frozen_ = positionsOf(frame.particles);
-    pieces_ = connectedGroups(frozen_.size(), joinedIds(frame));
+    pieces_ = connectedGroups(frozen_.size(), joinedPlaces(frame));
     speeds_m_s_.clear();
     melted_ = false;
   }

@@ -24,8 +24,8 @@ class IceMetric final : public MetricRecorder {
 
   double spacing_m_;
   std::size_t window_;                            ///< number of frames in half a second
-  std::vector<Vec3d> frozen_, last_;              ///< positions by id
-  std::vector<std::vector<std::size_t>> pieces_;  ///< ids
+  std::vector<Vec3d> frozen_, last_;              ///< positions in the order of ids
+  std::vector<std::vector<std::size_t>> pieces_;  ///< places in these
   std::vector<double> speeds_m_s_;                ///< one per frame of ice
   bool melted_ = false;                           ///< since `last_`
 };

@@ -91,6 +91,19 @@ TEST(ForgedTest, ScenesAreRefusedByNameOrLoad) {
   EXPECT_LT(refused, kForged);
 }
 
+TEST(ForgedTest, MoreSpilledParticlesThanThereWereAreRefused) {
+  const auto original = makeSimulation(test::fullTank(2), Precision::kFloat, 1);
+  original->advanceFrame();
+  std::string bytes = encodeCheckpoint(*original);
+  StateWriter counts;
+  counts(std::uint64_t(original->report().particles), std::uint64_t(0));
+  const std::size_t place = bytes.rfind(counts.bytes());
+  ASSERT_NE(place, std::string::npos);
+  put(bytes, place + 8, std::uint64_t(1));
+  const std::string why = test::refusalOf([&] { decodeCheckpoint(resigned(bytes), "file", 1); });
+  EXPECT_EQ(why, "file: invalid checkpoint: more particles spilled than there were");
+}
+
 /// Few particles and no boundary density, so that thousands of edits take seconds.
 Story small(Story story, double scale) {
   story.scene.fluid.spacing_m *= scale;
@@ -123,8 +136,9 @@ Story frozen() {
 void expectWhole(const Simulation& simulation, std::size_t particles, int edit) {
   std::vector<ParticleSample> samples;
   simulation.sample(samples);
-  ASSERT_EQ(samples.size(), particles) << edit;
-  ASSERT_EQ(simulation.report().particles, particles) << edit;
+  const StepReport& report = simulation.report();
+  ASSERT_EQ(samples.size(), report.particles) << edit;
+  ASSERT_EQ(report.particles + report.spilled, particles) << edit;
   for (const ParticleSample& s : samples) {
     for (const float value : {s.x, s.y, s.z, s.vx, s.vy, s.vz, s.temperature_c, s.ice_fraction,
                               s.density, s.pressure_pa}) {

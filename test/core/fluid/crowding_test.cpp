@@ -103,6 +103,7 @@ TEST(CrowdingTest, AFrameWhoseListsNeedTooMuchMemoryIsRefusedAndLaterOnesMayRun)
 TEST(CrowdingTest, FloatsHoldWaterInATankAtTheEdgeOfTheScene) {
   Scene scene = test::splash();
   const Vec3d out(-99, 98, 97);
+  scene.bounds = {Vec3d::Constant(-100), Vec3d::Constant(100)};
   scene.blocks[0].min_m += out;
   scene.blocks[0].max_m += out;
   scene.containers[0].position_m = out;

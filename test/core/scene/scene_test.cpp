@@ -11,6 +11,7 @@
 #include "particles/kernels.h"
 #include "particles/particles.h"
 #include "scene/lattice.h"
+#include "spawn/spawn_particles.h"
 
 namespace ice_ice_baby {
 namespace scene_test {

@@ -17,9 +17,16 @@ using test::Random;
 constexpr double kSpacing_m = 0.05;
 constexpr double kRadius_m = kSpacing_m / 2;
 
+/// An empty scene in which tanks jump far.
+Scene wide() {
+  Scene scene;
+  scene.bounds = {Vec3d::Constant(-100), Vec3d::Constant(100)};
+  return scene;
+}
+
 /// Water 0.3 m deep, at rest, in a closed tank.
 Scene pool() {
-  Scene scene;
+  Scene scene = wide();
   scene.fluid.spacing_m = kSpacing_m;
   scene.blocks.push_back(blockOf({-0.5, -0.4, 0}, {0.5, 0.4, 0.3}));
   scene.containers.push_back(test::tankOf({1, 0.8, 0.8}, false));
@@ -124,6 +131,11 @@ TEST_F(JumpsTest, APlacementThatIsRefusedPlacesNoneOfThem) {
   EXPECT_THROW(
       simulation->placeColliders({{"tank", posed({1, 0, 0})}, {"ball", posed({1e9, 0, 0})}}),
       InvalidInput);
+  const std::string twice = test::refusalOf([&] {
+    simulation->placeColliders(
+        {{"tank", posed({1, 0, 0})}, {"ball", posed({0, 0, 4})}, {"tank", posed({2, 0, 0})}});
+  });
+  EXPECT_EQ(twice, "collider tank is placed twice; give it one pose");
   EXPECT_EQ(simulation->stateHash(), before);
 }
 
@@ -229,7 +241,7 @@ TEST_F(JumpsTest, ABallDrawnThroughThePoolMakesNothingMuchFasterThanItself) {
 }
 
 TEST_F(JumpsTest, IceIsCarriedAlongAndDisplacedToo) {
-  Scene scene;
+  Scene scene = wide();
   scene.fluid.spacing_m = kSpacing_m;
   scene.thermal.enabled = true;
   scene.thermal.speedup = 0;

@@ -9,6 +9,7 @@
 
 #include "fixtures.h"
 #include "metrics/density_meter.h"
+#include "spawn/spawn_particles.h"
 
 namespace ice_ice_baby {
 namespace simulator_test {

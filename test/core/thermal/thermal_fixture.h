@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "fixtures.h"
+#include "spawn/spawn_particles.h"
 #include "thermal/thermal_solver.h"
 
 namespace ice_ice_baby::test {

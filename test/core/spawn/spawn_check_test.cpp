@@ -5,7 +5,7 @@
 #include "simulation/simulator.h"
 
 namespace ice_ice_baby {
-namespace spawn_test {
+namespace spawn_check_test {
 
 using test::ball;
 using test::blockOf;
@@ -24,7 +24,7 @@ Scene tankWithWater() {
   return scene;
 }
 
-TEST(SpawnTest, WaterInAColliderIsRefusedByTheKeysOfBoth) {
+TEST(SpawnCheckTest, WaterInAColliderIsRefusedByTheKeysOfBoth) {
   struct Case {
     std::function<void(Scene&)> change;
     const char* words;
@@ -64,7 +64,7 @@ TEST(SpawnTest, WaterInAColliderIsRefusedByTheKeysOfBoth) {
   }
 }
 
-TEST(SpawnTest, BlocksThatOverlapAreRefusedByTheKeysOfBoth) {
+TEST(SpawnCheckTest, BlocksThatOverlapAreRefusedByTheKeysOfBoth) {
   const auto with = [](const Vec3d& by, const Vec3d& rpy_deg = Vec3d::Zero()) {
     Scene scene = tankWithWater();
     Block other = scene.blocks[0];
@@ -85,7 +85,7 @@ TEST(SpawnTest, BlocksThatOverlapAreRefusedByTheKeysOfBoth) {
   EXPECT_EQ(with({0, 0, 0.35}, {20, 30, 40}), "") << "boxes around them meet, they do not";
 }
 
-TEST(SpawnTest, BlocksInDisjointBoxesNeverOverlapHoweverTheyAreTurned) {
+TEST(SpawnCheckTest, BlocksInDisjointBoxesNeverOverlapHoweverTheyAreTurned) {
   Random random(71);
   for (int k = 0; k < 300; ++k) {
     Scene scene;
@@ -108,20 +108,20 @@ TEST(SpawnTest, BlocksInDisjointBoxesNeverOverlapHoweverTheyAreTurned) {
   }
 }
 
-TEST(SpawnTest, AThousandCopiesInOnePlaceAreRefused) {
+TEST(SpawnCheckTest, AThousandCopiesInOnePlaceAreRefused) {
   Scene scene = tankWithWater();
   scene.blocks.assign(1000, scene.blocks[0]);
   EXPECT_EQ(refusal(scene).find("blocks.1 overlaps blocks.0"), 0u);
 }
 
-TEST(SpawnTest, WaterBesideOrAboveAClosedTankIsAllowed) {
+TEST(SpawnCheckTest, WaterBesideOrAboveAClosedTankIsAllowed) {
   Scene scene = tankWithWater();
   scene.blocks.push_back(blockOf({1, 1, 0}, {1.2, 1.2, 0.2}));
   scene.blocks.push_back(blockOf({-0.1, -0.1, 1.1}, {0.1, 0.1, 1.3}));
   EXPECT_EQ(refusal(scene), "");
 }
 
-TEST(SpawnTest, WhatOverlapsSlightlyIsPushedOutBeforeTheFirstFrameAndGainsNoSpeed) {
+TEST(SpawnCheckTest, WhatOverlapsSlightlyIsPushedOutBeforeTheFirstFrameAndGainsNoSpeed) {
   Scene scene = tankWithWater();
   scene.gravity_m_s2.setZero();
   scene.spheres.push_back(ball({0, 0, 0.49}, 0.1));  // 1 cm into the topmost layer of centres
@@ -135,7 +135,7 @@ TEST(SpawnTest, WhatOverlapsSlightlyIsPushedOutBeforeTheFirstFrameAndGainsNoSpee
   EXPECT_LT(simulator.report().max_speed_m_s, 1.0);
 }
 
-TEST(SpawnTest, RandomScenesAreRefusedOrStaySlow) {
+TEST(SpawnCheckTest, RandomScenesAreRefusedOrStaySlow) {
   Random random(72);
   int refused = 0, run = 0;
   for (int k = 0; k < 90; ++k) {
@@ -164,5 +164,5 @@ TEST(SpawnTest, RandomScenesAreRefusedOrStaySlow) {
   EXPECT_GT(run, 20);
 }
 
-}  // namespace spawn_test
+}  // namespace spawn_check_test
 }  // namespace ice_ice_baby

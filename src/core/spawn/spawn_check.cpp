@@ -1,14 +1,12 @@
-#include "loading/spawn_check.h"
+#include "spawn/spawn_check.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
 
-#include "colliders/collider_faces.h"
 #include "ice_ice_baby/errors.h"
-#include "particles/particles.h"
-#include "scene/lattice.h"
+#include "spawn/spawn_points.h"
 
 namespace ice_ice_baby {
 
@@ -17,9 +15,6 @@ namespace {
 /// Overlapping lattices have particles closer than this, in spacings: the centre of a cube is 0.87
 /// from its corners. Adjacent blocks keep a whole spacing.
 constexpr double kOverlap_d = 0.9;
-
-/// Penetration below this is rounding error, m.
-constexpr double kHair_m = 1e-6;
 
 using Box = Eigen::AlignedBox3d;
 
@@ -31,18 +26,10 @@ std::string shareText(std::size_t some, std::size_t all) {
          (some == 1 ? " particles lies" : " particles lie");
 }
 
-/// Axis-aligned bounding box of a rotated block.
-Box boundsOf(const Block& block) {
-  const Posed pose = poseOf(block.centre_m(), block.rpy_deg);
-  const Vec3d half = pose.rotation.cwiseAbs() * (block.max_m - block.min_m) / 2;
-  return {block.centre_m() - half, block.centre_m() + half};
-}
-
 /// Colliders with their names and keys, for particles without size.
-class Solids {
+class NamedSolids {
  public:
-  explicit Solids(const Scene& scene) : solids_(scene, 0.0) {
-    faces_.take(solids_);
+  explicit NamedSolids(const Scene& scene) : solids_(scene, 0.0) {
     forEachColliderList(scene, [&](const auto& list, const ColliderKind& kind) {
       for (std::size_t k = 0; k < list.size(); ++k) {
         keys_.push_back(std::string(kind.key) + "." + std::to_string(k));
@@ -51,39 +38,42 @@ class Solids {
     });
   }
 
-  std::size_t count() const { return faces_.count(); }
+  std::size_t count() const { return solids_.count(); }
 
   void requireFree(const std::string& key, const Block& block, double spacing_m,
                    std::size_t k) const {
-    const Box bounds = boundsOf(block);
-    const double radius = bounds.diagonal().norm() / 2;
-    if (!faces_.near(k, bounds.center(), bounds.center(), radius)) return;
-    const bool hollow = faces_.hollow(k);
+    if (!solids_.near(k, boxAround(block))) return;
     std::size_t all = 0, within = 0, inside = 0;
     forEachLatticePoint(block, spacing_m, [&](const Vec3d& x) {
       ++all;
-      if (faces_.push(k, x, x).norm() > kHair_m) ++within;
-      inside += solids_[k].shape.holds(toLocal(k, x));
+      within += solids_.reached(k, x);
+      inside += solids_.holds(k, x);
     });
-    const std::string cure = "; change " + key + ".min_m or max_m, or " + keys_[k] + ".position_m";
+    const std::string cure = "; change " + key + ".min_m or max_m, or " + keys_[k] +
+                             ".position_m, or set " + key + ".carve to true";
     if (within > 0) {
       throw InvalidInput(key + ": " + shareText(within, all) + " inside " +
-                         (hollow ? "the wall of " : "") + words_[k] + cure);
+                         (solids_.hollow(k) ? "the wall of " : "") + words_[k] + cure);
     }
-    if (solids_[k].shape.closed() && inside > 0 && inside < all) {
+    if (solids_.closed(k) && inside > 0 && inside < all) {
       throw InvalidInput(key + ": " + shareText(all - inside, all) + " outside the closed " +
                          words_[k] + " and the others inside it" + cure);
     }
   }
 
  private:
-  Vec3d toLocal(std::size_t k, const Vec3d& x) const { return faces_.motion(k).to.toLocal(x); }
-
-  Colliders<double> solids_;
-  ColliderFaces faces_;
+  Solids solids_;
   std::vector<std::string> words_;
   std::vector<std::string> keys_;
 };
+
+void requireRest(const std::string& key, const SpawnPoints& points, std::size_t block) {
+  std::size_t rest = 0;
+  points.forEach(block, [&](const Vec3d&) { ++rest; });
+  if (rest > 0) return;
+  throw InvalidInput(key + ": carve leaves no particle, because all of them lie in colliders or " +
+                     "touch them; change " + key + ".min_m or max_m, or move the colliders");
+}
 
 /// Grid of points with cells as wide as the distance that points must keep.
 class PointGrid {
@@ -147,13 +137,13 @@ std::vector<Box> sharedBounds(const std::vector<Box>& bounds) {
 }
 
 /// Adds blocks one by one, so that cells never contain more points than a single lattice has.
-void requireApart(const Scene& scene) {
+void requireApart(const Scene& scene, const SpawnPoints& spawn) {
   double widest_m = scene.fluid.spacing_m;
   for (const Block& block : scene.blocks) widest_m = std::max(widest_m, scene.spacing_m(block));
   const double edge = kOverlap_d * widest_m;
   std::vector<Box> bounds;
   for (const Block& block : scene.blocks) {
-    bounds.push_back(boundsOf(block));
+    bounds.push_back(boxAround(block));
     bounds.back().max().array() += edge / 2;
     bounds.back().min().array() -= edge / 2;
   }
@@ -161,11 +151,10 @@ void requireApart(const Scene& scene) {
   PointGrid grid(edge);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     if (shared[k].isEmpty()) continue;
-    const Block& block = scene.blocks[k];
-    const double spacing = scene.spacing_m(block);
+    const double spacing = scene.spacing_m(scene.blocks[k]);
     std::size_t all = 0, near = 0, other = k;
     std::vector<Vec3d> points;
-    forEachLatticePoint(block, spacing, [&](const Vec3d& x) {
+    spawn.forEach(k, [&](const Vec3d& x) {
       ++all;
       if (!shared[k].contains(x)) return;
       points.push_back(x);
@@ -185,14 +174,19 @@ void requireApart(const Scene& scene) {
 }  // namespace
 
 void requireFreeSpawn(const Scene& scene) {
-  const Solids solids(scene);
+  const NamedSolids solids(scene);
+  const SpawnPoints points(scene);
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     const Block& block = scene.blocks[b];
+    if (block.carve) {
+      requireRest(keyOf(b), points, b);
+      continue;
+    }
     for (std::size_t k = 0; k < solids.count(); ++k) {
       solids.requireFree(keyOf(b), block, scene.spacing_m(block), k);
     }
   }
-  requireApart(scene);
+  requireApart(scene, points);
 }
 
 }  // namespace ice_ice_baby
