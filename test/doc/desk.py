@@ -13,7 +13,7 @@ import time
 from documents import ROOT
 from not_run import WITH_RVIZ
 
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 from iib.common.processes import free_port
 
 COMMAND_S, ANSWER_S, END_S = 120, 90, 30
