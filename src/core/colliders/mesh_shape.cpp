@@ -3,6 +3,7 @@
 #include <map>
 
 #include "ice_ice_baby/errors.h"
+#include "meshes/mesh_topology.h"
 #include "meshes/solids_of_revolution.h"
 #include "meshes/surface_contact.h"
 
@@ -68,7 +69,7 @@ MeshShape<Real> makeShape(const Mesh& m, double radius_m) {
                        " has no triangles; scenes read from a file read them "
                        "from `file`, scenes built in code set `triangles`");
   }
-  MeshShape<Real> shape = shapeOf<Real>(*m.triangles, radius_m);
+  MeshShape<Real> shape = shapeOf<Real>(welded(*m.triangles), radius_m);
   shape.look = m.opacity < 1.0 ? Look::kGlass : Look::kObject;
   shape.vessel = true;
   return shape;

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/parallel.h"
-#include "meshes/surface_samples.h"
+#include "fluid/sample_sum.h"
 
 namespace ice_ice_baby {
 
@@ -13,50 +14,15 @@ namespace {
 /// Distance of the nodes in spacings. Centres of particles stay two of them off the surface.
 constexpr double kEdge_d = 0.25;
 
-/// Nodes closer to the surface than this, in spacings, take their value from that distance, because
-/// the samples are too far apart for them.
-constexpr double kNearest_d = 0.4;
+/// Nodes closer to the surface than this, in spacings, follow from the density at that distance:
+/// the samples are too far apart for them, and beyond the surface stand nodes of its other side.
+constexpr double kNearest_d = 1.75 * kEdge_d;
+
+/// In place of a coefficient of a node that is not close to the surface.
+constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// Nodes along the side of an eighth of a block, for which samples are sought together.
 constexpr int kPart = BlockIndex::kBlock / 2;
-
-/// What samples add, with the kernel as a function of the squared distance.
-class SampleSum {
- public:
-  SampleSum(const WallKernel& kernel, bool closed)
-      : closed_(closed), reach2_(kernel.reach_m() * kernel.reach_m()) {
-    for (int k = 0; k <= kSize; ++k) {
-      const double r = std::sqrt(reach2_ * (k + 0.5) / kSize);
-      over_cube_.push_back(kernel.beyond(r) / (r * r * r));
-    }
-  }
-
-  /// What a sample adds at a point: the solid behind it as seen from the point.
-  double of(const SurfaceSample& sample, const Vec3d& x, bool inside) const {
-    const Vec3d from = x - sample.point;
-    const double r2 = from.squaredNorm();
-    if (r2 >= reach2_) return 0.0;
-    const double facing = from.dot(sample.normal);
-    const double seen =
-        facing * over_cube_[static_cast<std::size_t>(r2 / reach2_ * kSize)] * sample.area_m2;
-    if (closed_) {
-      const double into = inside ? -seen : seen;
-      return into > 0 ? into : (1 - sample.opacity) * into;
-    }
-    const bool ahead = facing > 0;
-    const bool covered = ahead ? sample.covered_ahead : sample.covered_behind;
-    const bool backed = ahead ? sample.covered_behind : sample.covered_ahead;
-    if (covered) return -(1 - sample.opacity) * std::abs(seen);
-    return (backed ? 1.0 : sample.opacity) * std::abs(seen);
-  }
-
- private:
-  static constexpr int kSize = 8192;
-
-  bool closed_;
-  double reach2_;
-  std::vector<double> over_cube_;  ///< g(r) / r^3 over the squared distance
-};
 
 /// Density at a point near the surface.
 class DensityField {
@@ -68,52 +34,62 @@ class DensityField {
         blocks_(blocks),
         nearest_m_(kNearest_d * spacing_m),
         in_block_(blocks.inUse()),
-        sum_(kernel, surface.topology().closed()) {
+        sample_kernel_(kernel) {
     for (const SurfaceSample& sample : samplesOf(surface, spacing_m)) {
       in_block_[blocks.blockOf(blocks.nearest(sample.point))].push_back(sample);
     }
   }
 
   /// The samples that reach a ball within a block.
-  std::vector<SurfaceSample> around(std::size_t block, const Vec3d& centre, double radius_m) const {
-    std::vector<SurfaceSample> found;
+  SampleColumns around(std::size_t block, const Vec3d& centre, double radius_m) const {
+    SampleColumns found;
+    const bool closed = surface_.topology().closed();
     const double far = radius_m + kernel_.reach_m();
     for (int k = 0; k < 27; ++k) {
       const BlockIndex::Node beside(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
       const Index other = blocks_.blockOf(blocks_.corner(block) + BlockIndex::kBlock * beside);
       if (other == BlockIndex::kAbsent) continue;
       for (const SurfaceSample& sample : in_block_[other]) {
-        if ((sample.point - centre).squaredNorm() < far * far) found.push_back(sample);
+        if ((sample.point - centre).squaredNorm() < far * far) found.add(sample, closed);
       }
     }
+    found.pad();
     return found;
   }
 
-  double at(const Vec3d& x, const std::vector<SurfaceSample>& samples) const {
+  /// The density at a node, and the coefficient of the spline if it is close to the surface.
+  struct Node {
+    double value = 0.0;
+    double coefficient = kFar;
+  };
+  Node at(const Vec3d& x, const SampleColumns& samples) const {
     const SurfacePoint near = surface_.closest(x, kernel_.reach_m());
-    if (!near.found()) return 0.0;
-    Vec3d from = x;
-    double factor = 1.0;
-    if (near.distance_m < nearest_m_) {
-      const Vec3d away = near.distance_m > 0
-                             ? Vec3d((x - near.point) / near.distance_m)
-                             : surface_.tree().triangle(near.triangle).normal().normalized();
-      from = near.point + nearest_m_ * away;
-      factor = kernel_.halfSpace(near.distance_m) / kernel_.halfSpace(nearest_m_);
-    }
-    const bool inside = surface_.encloses(from);
-    double density = 0.0;
-    for (const SurfaceSample& sample : samples) density += sum_.of(sample, from, inside);
-    return factor * std::max(density, 0.0);
+    if (!near.found()) return {};
+    if (near.distance_m >= nearest_m_) return {density(x, samples), kFar};
+    const Vec3d away = near.distance_m > 0
+                           ? Vec3d((x - near.point) / near.distance_m)
+                           : surface_.tree().triangle(near.triangle).normal().normalized();
+    const double share =
+        density(near.point + nearest_m_ * away, samples) / kernel_.halfSpace(nearest_m_);
+    return {share * kernel_.halfSpace(near.distance_m), share * flatCoefficient(near.distance_m)};
   }
 
  private:
+  double density(const Vec3d& x, const SampleColumns& samples) const {
+    return std::max(sample_kernel_.sum(x, surface_.encloses(x), samples), 0.0);
+  }
+  /// Of the spline beside a flat wall: T - edge^2 T'' / 8, as in `interpolate`.
+  double flatCoefficient(double distance_m) const {
+    const double bend = 2 * M_PI * distance_m * kernel_.value(std::max(distance_m, 1e-9));
+    return kernel_.halfSpace(distance_m) - blocks_.edge_m() * blocks_.edge_m() / 8 * bend;
+  }
+
   const Surface& surface_;
   const WallKernel& kernel_;
   const BlockIndex& blocks_;
   double nearest_m_;
   std::vector<std::vector<SurfaceSample>> in_block_;
-  SampleSum sum_;
+  SampleKernel sample_kernel_;
 };
 
 }  // namespace
@@ -129,7 +105,8 @@ SurfaceDensity<Real>::SurfaceDensity(const Surface& surface, const WallKernel& k
     return tree.closest(centre, reach + half_diagonal).found();
   });
   const DensityField field(surface, kernel, blocks_, spacing_m);
-  std::vector<double> values(blocks_.inUse() * BlockIndex::kNodes);
+  Values values{std::vector<double>(blocks_.inUse() * BlockIndex::kNodes),
+                std::vector<double>(blocks_.inUse() * BlockIndex::kNodes, kFar)};
   parallelFor(
       blocks_.inUse(),
       [&](std::size_t b) {
@@ -138,14 +115,16 @@ SurfaceDensity<Real>::SurfaceDensity(const Surface& surface, const WallKernel& k
               kPart * BlockIndex::Node(octant & 1, octant >> 1 & 1, octant >> 2);
           const Vec3d first = blocks_.place(blocks_.corner(b) + low);
           const double half = (kPart - 1) * blocks_.edge_m() / 2;
-          const std::vector<SurfaceSample> samples =
+          const SampleColumns samples =
               field.around(b, first + Vec3d::Constant(half), std::sqrt(3.0) * half);
           if (samples.empty()) continue;
           for (int n = 0; n < kPart * kPart * kPart; ++n) {
             const BlockIndex::Node node =
                 low + BlockIndex::Node(n % kPart, n / kPart % kPart, n / (kPart * kPart));
-            values[b * BlockIndex::kNodes + BlockIndex::within(node)] =
-                field.at(blocks_.place(blocks_.corner(b) + node), samples);
+            const auto found = field.at(blocks_.place(blocks_.corner(b) + node), samples);
+            const std::size_t at = b * BlockIndex::kNodes + BlockIndex::within(node);
+            values.of[at] = found.value;
+            values.coefficient[at] = found.coefficient;
           }
         }
       },
@@ -157,38 +136,36 @@ SurfaceDensity<Real>::SurfaceDensity(const Surface& surface, const WallKernel& k
 /// A Practical Guide to Splines, quasi-interpolation): (-f[k-1] + 10 f[k] - f[k+1]) / 8 along each
 /// axis. Each block keeps its own and those of the nodes around it.
 template <class Real>
-void SurfaceDensity<Real>::interpolate(const std::vector<double>& values) {
-  constexpr int kBlock = BlockIndex::kBlock, kWide = kBlock + 4;
+void SurfaceDensity<Real>::interpolate(const Values& values) {
+  constexpr int kWide = BlockIndex::kBlock + 4;
   coefficients_.assign(blocks_.inUse() * kNodes, Real(0));
-  const auto valueAt = [&](const BlockIndex::Node& node) {
-    const Index block = blocks_.blockOf(node);
-    return block == BlockIndex::kAbsent
-               ? 0.0
-               : values[std::size_t(block) * BlockIndex::kNodes + BlockIndex::within(node)];
-  };
   parallelFor(
       blocks_.inUse(),
       [&](std::size_t b) {
         const BlockIndex::Node first = blocks_.corner(b) - BlockIndex::Node::Constant(2);
-        std::vector<double> wide(std::size_t(kWide) * kWide * kWide);
+        std::vector<double> wide(std::size_t(kWide) * kWide * kWide), filtered(wide.size());
+        std::vector<double> close(wide.size(), kFar);
         for (int n = 0; n < kWide * kWide * kWide; ++n) {
-          wide[std::size_t(n)] =
-              valueAt(first + BlockIndex::Node(n % kWide, n / kWide % kWide, n / (kWide * kWide)));
+          const BlockIndex::Node node =
+              first + BlockIndex::Node(n % kWide, n / kWide % kWide, n / (kWide * kWide));
+          const Index block = blocks_.blockOf(node);
+          if (block == BlockIndex::kAbsent) continue;
+          const std::size_t at = std::size_t(block) * BlockIndex::kNodes + BlockIndex::within(node);
+          wide[std::size_t(n)] = values.of[at];
+          close[std::size_t(n)] = values.coefficient[at];
         }
         for (const int stride : {1, kWide, kWide * kWide}) {
-          const std::vector<double> before = wide;
           for (int n = stride; n + stride < kWide * kWide * kWide; ++n) {
-            const auto at = [&](int k) { return before[std::size_t(k)]; };
-            wide[std::size_t(n)] = (10 * at(n) - at(n - stride) - at(n + stride)) / 8;
+            const auto at = [&](int k) { return wide[std::size_t(k)]; };
+            filtered[std::size_t(n)] = (10 * at(n) - at(n - stride) - at(n + stride)) / 8;
           }
+          std::swap(wide, filtered);
         }
-        for (int z = 0; z < kSide; ++z) {
-          for (int y = 0; y < kSide; ++y) {
-            for (int x = 0; x < kSide; ++x) {
-              coefficients_[b * kNodes + std::size_t(x + kSide * (y + kSide * z))] =
-                  static_cast<Real>(wide[std::size_t(x + 1 + kWide * (y + 1 + kWide * (z + 1)))]);
-            }
-          }
+        Real* out = coefficients_.data() + b * kNodes;
+        for (int n = 0; n < int(kNodes); ++n) {
+          const std::size_t at = std::size_t(
+              n % kSide + 1 + kWide * (n / kSide % kSide + 1 + kWide * (n / (kSide * kSide) + 1)));
+          out[n] = static_cast<Real>(close[at] < kFar ? close[at] : wide[at]);
         }
       },
       1);

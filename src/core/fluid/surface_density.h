@@ -28,7 +28,13 @@ class SurfaceDensity {
   static constexpr int kSide = BlockIndex::kBlock + 2;
   static constexpr std::size_t kNodes = std::size_t(kSide) * kSide * kSide;
 
-  void interpolate(const std::vector<double>& values);
+  /// For each node of the blocks the density, and the coefficient if it is close to the surface.
+  struct Values {
+    std::vector<double> of;
+    std::vector<double> coefficient;
+  };
+
+  void interpolate(const Values& values);
 
   BlockIndex blocks_;
   std::vector<Real> coefficients_;

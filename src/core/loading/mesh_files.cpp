@@ -89,6 +89,7 @@ std::string bytesOf(const std::string& path) {
     throw InvalidInput(stream ? "is larger than 256 MiB, the largest allowed" : "cannot be read");
   }
   text << stream.rdbuf();
+  if (text.str().empty()) throw InvalidInput("is empty");
   return text.str();
 }
 

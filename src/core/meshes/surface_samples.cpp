@@ -11,11 +11,13 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Longest side of the part of a triangle that one sample stands for, in spacings.
-constexpr double kSide_d = 0.35;
+/// Longest side of the piece of a triangle that one sample stands for, in spacings.
+constexpr double kSide_d = 0.25;
+/// Longest side of the pieces for which opacity is measured, in spacings.
+constexpr double kMeasured_d = 0.5;
 
 /// More samples than this need too much memory and time.
-constexpr double kMaxSamples = 2e7;
+constexpr double kMaxSamples = 4e7;
 
 /// A wall with a thickness between these, in spacings, is partly thin. Particles on both sides of a
 /// thicker one are out of reach of each other.
@@ -30,8 +32,9 @@ double smoothStep(double x) {
   return t * t * (3 - 2 * t);
 }
 
-/// Halves a triangle across its longest side until it is small.
-void divide(const Triangle& t, double side_m, std::vector<SurfaceSample>& samples) {
+/// Halves a triangle across its longest side until it is small, and calls visit for every piece.
+template <class Visit>
+void divide(const Triangle& t, double side_m, const Visit& visit) {
   const std::array<Vec3d, 3> corners{t.a, t.b, t.c};
   std::size_t longest = 0;
   double longest2 = 0.0;
@@ -42,14 +45,14 @@ void divide(const Triangle& t, double side_m, std::vector<SurfaceSample>& sample
     longest2 = length2;
   }
   if (longest2 <= side_m * side_m) {
-    samples.push_back({t.centre(), t.normal().normalized(), t.area(), 0.0, false, false});
+    visit(t);
     return;
   }
   const Vec3d &a = corners[longest], &b = corners[(longest + 1) % 3],
               &c = corners[(longest + 2) % 3];
   const Vec3d middle = (a + b) / 2;
-  divide({a, middle, c}, side_m, samples);
-  divide({middle, b, c}, side_m, samples);
+  divide({a, middle, c}, side_m, visit);
+  divide({middle, b, c}, side_m, visit);
 }
 
 /// Whether a wall goes on in every direction, so far from a sample: where a ray from above meets
@@ -93,25 +96,41 @@ void measure(const Surface& surface, double spacing_m, SurfaceSample& sample) {
   sample.opacity = smoothStep(distanceToRim(tree, sample, spacing_m));
 }
 
+void requireFew(const SurfaceTree& tree, double spacing_m) {
+  double area = 0.0;
+  for (Index k = 0; k < tree.count(); ++k) area += tree.triangle(k).area();
+  const double side = kSide_d * spacing_m;
+  if (8 * area / (side * side) + double(tree.count()) <= kMaxSamples) return;
+  throw InvalidInput("a mesh with a surface of " + numberText(area) +
+                     " m2 is too large for a spacing of " + numberText(spacing_m) +
+                     " m; raise fluid.spacing_m, check the scale of the mesh, or use boxes and "
+                     "planes for what is large and flat");
+}
+
 }  // namespace
 
 std::vector<SurfaceSample> samplesOf(const Surface& surface, double spacing_m) {
   const SurfaceTree& tree = surface.tree();
-  double area = 0.0;
-  for (Index k = 0; k < tree.count(); ++k) area += tree.triangle(k).area();
-  const double side = kSide_d * spacing_m;
-  if (4 * area / (side * side) + double(tree.count()) > kMaxSamples) {
-    throw InvalidInput("a mesh with a surface of " + numberText(area) +
-                       " m2 is too large for a spacing of " + numberText(spacing_m) +
-                       " m; raise fluid.spacing_m, check the scale of the mesh, or use boxes and "
-                       "planes for what is large and flat");
+  requireFew(tree, spacing_m);
+  const double facing = surface.topology().volume_m3 < 0 ? -1.0 : 1.0;
+  std::vector<Triangle> pieces;
+  std::vector<SurfaceSample> measured;
+  for (Index k = 0; k < tree.count(); ++k) {
+    divide(tree.triangle(k), kMeasured_d * spacing_m, [&](const Triangle& piece) {
+      pieces.push_back(piece);
+      measured.push_back(
+          {piece.centre(), facing * piece.normal().normalized(), 0.0, 0.0, false, false});
+    });
   }
+  parallelFor(measured.size(), [&](std::size_t k) { measure(surface, spacing_m, measured[k]); });
   std::vector<SurfaceSample> samples;
-  for (Index k = 0; k < tree.count(); ++k) divide(tree.triangle(k), side, samples);
-  if (surface.topology().volume_m3 < 0) {
-    for (SurfaceSample& sample : samples) sample.normal = -sample.normal;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    divide(pieces[k], kSide_d * spacing_m, [&](const Triangle& piece) {
+      SurfaceSample& sample = samples.emplace_back(measured[k]);
+      sample.point = piece.centre();
+      sample.area_m2 = piece.area();
+    });
   }
-  parallelFor(samples.size(), [&](std::size_t k) { measure(surface, spacing_m, samples[k]); });
   return samples;
 }
 

@@ -120,7 +120,7 @@ TEST_F(MeshFilesTest, RefusesWhatIsNoMesh) {
   write("cube.xyz", kObj);
   EXPECT_SAYS(refusal("cube.xyz"), "must end in .stl, .obj, .dae or .ply");
   write("empty.stl", "");
-  EXPECT_SAYS(refusal("empty.stl"), "meshes.0.file = empty.stl");
+  EXPECT_SAYS(refusal("empty.stl"), "empty.stl is empty");
   write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
   EXPECT_SAYS(refusal("flat.obj"), "has no triangles with an area");
   write("nan.obj", "v 0 0 nan\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
@@ -157,7 +157,7 @@ TEST_F(MeshFilesTest, DamagedFilesEndInAMessage) {
   const std::vector<std::pair<std::string, std::string>> files{
       {"stl", stl}, {"obj", kObj}, {"ply", kPly}, {"dae", kDae}};
   for (const auto& [extension, whole] : files) {
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < 12; ++k) {
       std::string bytes = whole;
       if (k % 2 == 0) bytes.resize(std::size_t(random.uniform(0, double(bytes.size()))));
       for (int flip = 0; flip < k % 4 && !bytes.empty(); ++flip) {

@@ -81,11 +81,11 @@ TEST(SurfaceContactTest2, AFlatMeshIsAPlate) {
   Random random(22);
   Scene scene;
   Mesh& mesh = scene.meshes.emplace_back();
-  mesh.triangles =
-      std::make_shared<const TriangleMesh>(test::boxMesh({-1, -1, -0.2}, {1, 1, 0}, 5));
+  mesh.triangles = std::make_shared<const TriangleMesh>(
+      test::boxMesh({-0.15, -0.15, -0.05}, {0.15, 0.15, 0}, 5));
   const Colliders<double> colliders(scene, kRadius_m);
   for (int k = 0; k < 2000; ++k) {
-    const Vec3d from = random.inBox({-0.5, -0.5, kRadius_m}, {0.5, 0.5, 0.05});
+    const Vec3d from = random.inBox({-0.1, -0.1, kRadius_m}, {0.1, 0.1, 0.05});
     const Vec3d to = from + 0.02 * random.direction();
     const Vec3d end = colliders[0].shape.resolve(from, to);
     const Vec3d plate(to.x(), to.y(), std::max(to.z(), kRadius_m));
@@ -97,9 +97,9 @@ TEST(SurfaceContactTest2, AFlatMeshIsAPlate) {
 TEST(SurfaceContactTest2, AGapThatIsTooNarrowKeepsWhatIsInIt) {
   Random random(23);
   for (const double gap_r : {0.5, 1.0, 1.9}) {
-    TriangleMesh mesh = test::boxMesh({-1, -1, -0.2}, {1, 1, 0});
+    TriangleMesh mesh = test::boxMesh({-0.2, -0.2, -0.05}, {0.2, 0.2, 0});
     const TriangleMesh above =
-        test::boxMesh({-1, -1, gap_r * kRadius_m}, {1, 1, 0.2 + gap_r * kRadius_m});
+        test::boxMesh({-0.2, -0.2, gap_r * kRadius_m}, {0.2, 0.2, 0.05 + gap_r * kRadius_m});
     for (const auto& t : above.triangles) {
       const auto first = static_cast<Index>(mesh.vertices.size());
       for (const Index corner : t) mesh.vertices.push_back(above.vertices[corner]);
