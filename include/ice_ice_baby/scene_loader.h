@@ -41,6 +41,11 @@ Scene loadScene(const std::string& name_or_path, const std::vector<Override>& ov
 Scene parseScene(const std::string& yaml, const std::vector<Override>& overrides = {},
                  const std::string& origin = "scene");
 
+/// Makes a scene that was changed in code ready to run: reads the meshes that name a file and have
+/// no triangles yet, and checks everything as loadScene does.
+/// @throws InvalidInput as loadScene
+void completeScene(Scene& scene);
+
 /// Every key with its default, range and meaning: the text of config/default.yaml.
 std::string defaultYaml();
 

@@ -56,6 +56,12 @@ void fillSurface(const ColliderMesh& mesh, Marker& marker) {
     marker.scale = vectorMessage(2 * mesh.half_axes_m);
     return;
   }
+  if (!mesh.resource.empty()) {
+    marker.type = Marker::MESH_RESOURCE;
+    marker.mesh_resource = mesh.resource;
+    marker.scale = vectorMessage(Vec3d::Constant(mesh.resource_scale));
+    return;
+  }
   marker.scale = vectorMessage(Vec3d::Ones());
   for (const auto& corners : mesh.triangles) {
     for (const Index k : corners) marker.points.push_back(pointMessage(mesh.vertices[k]));

@@ -36,10 +36,12 @@ struct NodeParameters {
   double tf_max_speed_m_s = 5.0;
   double tf_max_acceleration_m_s2 = 100.0;
   double tf_max_turning_rad_s = 20.0;
+  std::string links;
   bool publish_clock = false;
   std::string checkpoint_folder;
   double autosave_s = 0.0;
   bool resume = false;
+  std::string robot_description;    ///< text of that parameter, read once; "": there is none
   std::vector<Override> overrides;  ///< tree `~overrides`: keys that replace those of every scene
 };
 
@@ -86,6 +88,9 @@ void describe(NodeParameters& p, Visitor&& visit) {
         "largest acceleration of such a collider");
   visit("tf_max_turning_rad_s", p.tf_max_turning_rad_s, Range{0.01, 1000.0},
         "largest angular velocity of such a collider");
+  visit("links", p.links,
+        "links of robot_description whose collision geometry are colliders that follow them: names "
+        "between commas, with * for any characters");
   visit("publish_clock", p.publish_clock,
         "whether to publish simulated time on /clock; refused if another node publishes it");
   visit("checkpoint_folder", p.checkpoint_folder,

@@ -7,6 +7,7 @@
 #include "geometry.h"
 #include "ice_ice_baby/errors.h"
 #include "requests.h"
+#include "served_scene.h"
 #include "state_message.h"
 
 namespace ice_ice_baby {
@@ -111,7 +112,7 @@ ServedScene Services::sceneFor(const Reset::Request& request) const {
         "\" needs the name of a scene, because the current one came from a checkpoint");
   }
   const std::string preset = request.preset.empty() ? parameters_.preset : request.preset;
-  return {loadScene(name, overridesFor(parameters_, preset)), name};
+  return {loadServedScene(parameters_, name, preset), name};
 }
 
 bool Services::step(Step::Request& request, Step::Response& response) {

@@ -2,6 +2,9 @@
 
 #include <ros/console.h>
 
+#include "ice_ice_baby/mesh_warnings.h"
+#include "served_scene.h"
+
 namespace ice_ice_baby {
 
 namespace {
@@ -14,7 +17,10 @@ ros::NodeHandle served(ros::NodeHandle node, ros::CallbackQueue& queue) {
 NodeParameters parametersOf(const ros::NodeHandle& node) {
   XmlRpc::XmlRpcValue tree;
   node.getParam(node.getNamespace(), tree);
-  return readParameters(tree, node.getNamespace());
+  NodeParameters parameters = readParameters(tree, node.getNamespace());
+  std::string key;
+  if (node.searchParam("robot_description", key)) node.getParam(key, parameters.robot_description);
+  return parameters;
 }
 
 /// With autosave the folder has to be usable from the start, without it only when save is called.
@@ -39,7 +45,7 @@ Resumption resumptionOf(const NodeParameters& parameters, const CheckpointFolder
 
 /// ~scene is read even if it is not used, so that a mistake in it is always reported.
 ServedScene sceneOf(const NodeParameters& parameters, const Resumption& resumed) {
-  const Scene scene = loadScene(parameters.scene, overridesFor(parameters, parameters.preset));
+  const Scene scene = loadServedScene(parameters, parameters.scene, parameters.preset);
   if (resumed.simulation) return resumed.simulation->scene();
   return {scene, parameters.scene};
 }
@@ -89,6 +95,7 @@ RunOptions SimulationNode::runOptions() const {
 RunHooks SimulationNode::hooks() {
   RunHooks hooks;
   hooks.started = [this](const Simulation& simulation) {
+    for (const std::string& line : meshWarnings(simulation.scene())) ROS_WARN("%s", line.c_str());
     frames_.sceneStarted(simulation, clock_.stamp());
     topics_.sceneStarted(simulation);
   };

@@ -4,10 +4,27 @@
 
 namespace ice_ice_baby {
 
+namespace {
+
+void addResource(const Collider&, ColliderMesh&) {}
+
+void addResource(const Mesh& item, ColliderMesh& mesh) {
+  if (item.file.empty()) return;
+  const bool path = item.file.front() == '/';
+  mesh.resource = path ? "file://" + item.file : item.file;
+  mesh.resource_scale = item.scale;
+}
+
+}  // namespace
+
 void forEachColliderMesh(const Scene& scene, const MeshDetail& detail,
                          const std::function<void(const Collider&, const ColliderMesh&)>& visit) {
   forEachColliderList(scene, [&](const auto& list, const ColliderKind&) {
-    for (const auto& item : list) visit(item, makeShape<double>(item, 0.0).mesh(detail));
+    for (const auto& item : list) {
+      ColliderMesh mesh = makeShape<double>(item, 0.0).mesh(detail);
+      addResource(item, mesh);
+      visit(item, mesh);
+    }
   });
 }
 

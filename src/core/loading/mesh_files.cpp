@@ -66,9 +66,16 @@ fs::path packageFile(const std::string& file) {
                      "of its workspace");
 }
 
+bool inPackage(const std::string& file) { return file.rfind(kPackage, 0) == 0; }
+
+/// Where a file lies that has been found before.
+std::string placeOf(const std::string& file) {
+  return inPackage(file) ? packageFile(file).string() : file;
+}
+
 std::string pathOf(const std::string& file, const fs::path& folder, bool confined) {
   if (file.empty()) throw InvalidInput("is missing; set it to an STL, OBJ, DAE or PLY file");
-  const bool in_package = file.rfind(kPackage, 0) == 0;
+  const bool in_package = inPackage(file);
   const fs::path path = in_package ? packageFile(file) : folder / file;
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
@@ -79,7 +86,7 @@ std::string pathOf(const std::string& file, const fs::path& folder, bool confine
     throw InvalidInput("lies outside the folder of the scene, " + shortened(folder.string()) +
                        "; copy it there, or run the scene by its path");
   }
-  return fs::canonical(path, error).string();
+  return in_package ? file : fs::canonical(path, error).string();
 }
 
 std::string bytesOf(const std::string& path) {
@@ -143,6 +150,7 @@ void forMesh(const Scene& scene, std::size_t k, const Action& action) {
 
 void findMeshFiles(Scene& scene, const std::string& folder, bool confined) {
   for (std::size_t k = 0; k < scene.meshes.size(); ++k) {
+    if (scene.meshes[k].triangles) continue;
     forMesh(scene, k,
             [&] { scene.meshes[k].file = pathOf(scene.meshes[k].file, folder, confined); });
   }
@@ -151,7 +159,8 @@ void findMeshFiles(Scene& scene, const std::string& folder, bool confined) {
 void readMeshFiles(Scene& scene) {
   for (std::size_t k = 0; k < scene.meshes.size(); ++k) {
     Mesh& mesh = scene.meshes[k];
-    forMesh(scene, k, [&] { mesh.triangles = readFile(mesh.file, mesh.scale); });
+    if (mesh.triangles) continue;
+    forMesh(scene, k, [&] { mesh.triangles = readFile(placeOf(mesh.file), mesh.scale); });
   }
 }
 

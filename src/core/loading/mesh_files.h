@@ -10,7 +10,7 @@ namespace ice_ice_baby {
 /// Triangles beyond this are refused.
 constexpr std::size_t kMaxTriangles = 500000;
 
-/// Replaces the file of each mesh by its absolute path.
+/// Replaces the file of each mesh by its absolute path; package:// stays, wherever it leads.
 /// @param folder of the scene file, which relative paths start from
 /// @param confined whether no file may lie outside that folder
 /// @throws InvalidInput for a file that does not exist or lies outside

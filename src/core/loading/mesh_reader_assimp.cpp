@@ -81,7 +81,8 @@ TriangleMesh unpacked(const std::string& bytes) {
 
 /// In a process of its own, because the library ends its process for some damaged files.
 TriangleMesh readMesh(const std::string& bytes, const std::string& extension) {
-  return unpacked(inOwnProcess([&] { return packed(read(bytes, extension)); }, limit_s(bytes.size())));
+  return unpacked(
+      inOwnProcess([&] { return packed(read(bytes, extension)); }, limit_s(bytes.size())));
 }
 
 }  // namespace ice_ice_baby

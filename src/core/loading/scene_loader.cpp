@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "ice_ice_baby/errors.h"
+#include "loading/mesh_files.h"
 #include "loading/scene_files.h"
 #include "loading/scene_reader.h"
 #include "loading/yaml_text.h"
@@ -111,6 +112,12 @@ Scene loadScene(const std::string& name_or_path, const std::vector<Override>& ov
   const std::string file = by_path ? name_or_path : sceneFile(name_or_path);
   const std::string folder = std::filesystem::path(file).parent_path().string();
   return parse(readSceneFile(file), overrides, {shortened(name_or_path), folder, !by_path});
+}
+
+void completeScene(Scene& scene) {
+  findMeshFiles(scene, "", false);
+  readMeshFiles(scene);
+  validate(scene);
 }
 
 Scene parseScene(const std::string& yaml, const std::vector<Override>& overrides,

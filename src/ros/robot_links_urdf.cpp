@@ -1,11 +1,8 @@
-#include "robot_links.h"
-
 #include <fnmatch.h>
 #include <urdf/model.h>
 
-#include <sstream>
-
 #include "ice_ice_baby/errors.h"
+#include "robot_links.h"
 
 namespace ice_ice_baby {
 
@@ -79,19 +76,11 @@ void addLink(Scene& scene, const urdf::Link& link) {
 
 }  // namespace
 
-std::vector<std::string> linkPatterns(const std::string& links) {
-  std::string spaced = links;
-  for (char& c : spaced) {
-    if (c == ',') c = ' ';
-  }
-  std::istringstream words(spaced);
-  std::vector<std::string> patterns;
-  for (std::string word; words >> word;) patterns.push_back(word);
-  return patterns;
-}
-
 void addRobotLinks(Scene& scene, const std::string& description,
                    const std::vector<std::string>& patterns) {
+  if (description.empty()) {
+    throw InvalidInput("parameter ~links needs the parameter robot_description, which is not set");
+  }
   urdf::Model model;
   if (!model.initString(description)) {
     throw InvalidInput("robot_description is no URDF; see the messages above");
