@@ -9,10 +9,12 @@ from iib.common.command_line import Parser, exit_code
 from iib.common.progress import Progress
 from iib.common.refusal import Refusal
 from iib.common.run_scene import find_run_scene
-from iib.verification import cases_water, cases_heat, cases_ice  # noqa: F401  (they fill CASES)
 from iib.verification import document
 from iib.verification.cases import CASES
 from iib.verification.runs import Runner
+
+# Each of them adds its cases to CASES.
+from iib.verification import cases_heat, cases_ice, cases_rest, cases_water  # noqa: F401
 
 DESCRIPTION = """Runs the cases with known answers and compares what comes out with bounds.
 

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "ice_ice_baby/errors.h"
+#include "meshes/mesh_curvature.h"
 #include "meshes/mesh_topology.h"
 #include "meshes/solids_of_revolution.h"
 #include "meshes/surface_contact.h"
@@ -10,9 +11,6 @@
 namespace ice_ice_baby {
 
 namespace {
-
-/// Edges at which a surface turns by more than this many degrees are drawn.
-constexpr double kSharp_deg = 30.0;
 
 template <class Real>
 MeshShape<Real> shapeOf(TriangleMesh mesh, double radius_m) {
@@ -32,7 +30,7 @@ void addSharpEdges(const Surface& surface, ColliderMesh& mesh) {
       sides[{std::min(a, b), std::max(a, b)}].push_back(k);
     }
   }
-  const double smooth = std::cos(kSharp_deg * M_PI / 180);
+  const double smooth = std::cos(kSharpEdge_deg * M_PI / 180);
   for (const auto& [edge, triangles] : sides) {
     const auto normal = [&](std::size_t k) {
       return surface.tree().triangle(triangles[k]).normal().normalized();
@@ -102,7 +100,8 @@ NearSurfaces<Real> MeshShape<Real>::near(const Vec3<Real>& point, Real reach_m) 
   if (!closest.found() || closest.distance_m == 0.0) return surfaces;
   const Vec3d normal = (x - closest.point) / closest.distance_m;
   const auto distance = static_cast<Real>(closest.distance_m);
-  surfaces.add({distance - this->radius, distance, normal.cast<Real>(), 1, 0,
+  surfaces.add({distance - this->radius, distance, normal.cast<Real>(),
+                static_cast<Real>(triangles->flatness(closest, x)), 0,
                 (closest.point + double(this->radius) * normal).cast<Real>()});
   return surfaces;
 }

@@ -85,20 +85,44 @@ void BoundaryDensity<Real>::sortColliders() {
                    [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
 }
 
+/// Most particles are near one collider at most, and then nothing is shared.
 template <class Real>
 WallSample<Real> BoundaryDensity<Real>::at(const Vec3<Real>& point) const {
-  WallSample<Real> sum;
+  const std::size_t none = order_.size();
+  std::size_t first = none;
+  bool several = false;
+  for (std::size_t n = 0; n < none && !several; ++n) {
+    if (!isNear(order_[n], point)) continue;
+    several = first != none;
+    if (!several) first = n;
+  }
+  if (first == none) return {};
   SeenSolids<Real> seen;
-  for (const std::size_t k : order_) {
-    const Shape<Real>& shape = colliders_[k].shape;
-    const WallSample<Real> one = shape.hollow()            ? ofContainer(k, point, seen)
-                                 : shape.box()             ? ofBox(k, point, seen)
-                                 : shape.triangleSurface() ? ofTriangles(k, point, seen)
-                                                           : ofSurface(k, point, seen);
+  seen.alone = !several;
+  if (seen.alone) return of(order_[first], point, seen);
+  WallSample<Real> sum;
+  for (std::size_t n = first; n < none; ++n) {
+    const WallSample<Real> one = of(order_[n], point, seen);
     sum.value += one.value;
     sum.gradient += one.gradient;
   }
   return sum;
+}
+
+template <class Real>
+bool BoundaryDensity<Real>::isNear(std::size_t collider, const Vec3<Real>& point) const {
+  const Vec3<Real> local = colliders_[collider].motion.to.toLocal(point);
+  return !colliders_[collider].shape.clear(local, local, support_ - radius_);
+}
+
+template <class Real>
+WallSample<Real> BoundaryDensity<Real>::of(std::size_t collider, const Vec3<Real>& point,
+                                           SeenSolids<Real>& seen) const {
+  const Shape<Real>& shape = colliders_[collider].shape;
+  return shape.hollow()            ? ofContainer(collider, point, seen)
+         : shape.box()             ? ofBox(collider, point, seen)
+         : shape.triangleSurface() ? ofTriangles(collider, point, seen)
+                                   : ofSurface(collider, point, seen);
 }
 
 template <class Real>
@@ -111,7 +135,7 @@ WallSample<Real> BoundaryDensity<Real>::ofContainer(std::size_t collider, const 
   const NearSurfaces<Real> near = shape.near(rim ? rim->below : local, support_);
   WallSample<Real> sample = container_->at(local, rim, near);
   sample.gradient = pose.rotation * sample.gradient;
-  if (!overlap_ || sample.value == 0) return sample;
+  if (seen.alone || sample.value == 0) return sample;
   for (const NearSurface<Real>& wall : near) {
     SolidFace<Real> face{wall.gap + radius_, pose.rotation * wall.normal};
     face.flat = true;
@@ -141,7 +165,7 @@ WallSample<Real> BoundaryDensity<Real>::ofSurface(std::size_t collider, const Ve
   const auto [value, slope] =
       (face.flat ? *flat_ : balls_[table_of_[collider]].table).at(face.distance);
   WallSample<Real> sample{value, slope * face.normal};
-  if (!overlap_ || value == 0) return sample;
+  if (seen.alone || value == 0) return sample;
   if (!face.flat) {
     const Real from_centre = std::max(shape.curvatureRadius() + face.distance, radius_);
     face.turning = (Mat3<Real>::Identity() - face.normal * face.normal.transpose()) / from_centre;
@@ -161,7 +185,7 @@ WallSample<Real> BoundaryDensity<Real>::ofTriangles(std::size_t collider, const 
   WallSample<Real> sample = triangles.density.at(local);
   if (sample.value == 0) return sample;
   sample.gradient = pose.rotation * sample.gradient;
-  if (!overlap_) return sample;
+  if (seen.alone) return sample;
   const Vec3d x = local.template cast<double>();
   const SurfacePoint near = triangles.surface->closest(x, double(support_));
   if (!near.found() || near.distance_m == 0.0) return sample;
@@ -208,7 +232,7 @@ WallSample<Real> BoundaryDensity<Real>::ofBox(std::size_t collider, const Vec3<R
   sample.value -= shared.value;
   sample.gradient -= shared.gradient;
   sample.gradient = pose.rotation * sample.gradient;
-  if (!overlap_) return sample;
+  if (seen.alone) return sample;
   SolidFace<Real> face = faceOf(box);
   setShare(sample, face);
   std::size_t k = 0;

@@ -49,6 +49,8 @@ class BoundaryDensity {
   };
   void sortColliders();
   void buildTables(const RestLattice& lattice);
+  bool isNear(std::size_t collider, const Vec3<Real>& point) const;
+  WallSample<Real> of(std::size_t collider, const Vec3<Real>& point, SeenSolids<Real>& seen) const;
   WallSample<Real> ofContainer(std::size_t collider, const Vec3<Real>& point,
                                SeenSolids<Real>& seen) const;
   WallSample<Real> ofSurface(std::size_t collider, const Vec3<Real>& point,

@@ -50,6 +50,7 @@ template <class Real>
 struct SeenSolids {
   static constexpr std::size_t kMaxFaces = 16, kMaxBoxes = 8;
 
+  bool alone = false;  ///< whether a single solid is near, so that none shares anything
   ShortList<SolidFace<Real>, kMaxFaces> faces;
   ShortList<SolidBox<Real>, kMaxBoxes> boxes;
 };

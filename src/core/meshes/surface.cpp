@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ice_ice_baby/errors.h"
+#include "meshes/mesh_curvature.h"
 
 namespace ice_ice_baby {
 
@@ -30,7 +31,11 @@ void requireBlocks(const SurfaceTree& tree, double radius_m) {
 }  // namespace
 
 Surface::Surface(TriangleMesh mesh, double radius_m)
-    : mesh_(std::move(mesh)), tree_(mesh_), topology_(topologyOf(mesh_)), radius_m_(radius_m) {
+    : mesh_(std::move(mesh)),
+      tree_(mesh_),
+      topology_(topologyOf(mesh_)),
+      bending_(bendingOf(mesh_)),
+      radius_m_(radius_m) {
   for (const Vec3d& vertex : mesh_.vertices) reach_m_ = std::max(reach_m_, vertex.norm());
   if (radius_m == 0.0) return;
   requireBlocks(tree_, radius_m);
@@ -41,6 +46,15 @@ bool Surface::encloses(const Vec3d& point) const {
   if (!topology_.closed()) return false;
   const int known = distance_ ? distance_->inside(point) : -1;
   return known >= 0 ? known == 1 : tree_.encloses(point);
+}
+
+double Surface::flatness(const SurfacePoint& near, const Vec3d& x) const {
+  const Vec3d normal = tree_.triangle(near.triangle).normal().normalized();
+  const double along = normal.dot(x - near.point) / near.distance_m;
+  // The normals of two facets of a curved surface differ by less than a sharp edge.
+  if (std::abs(along) < std::cos(kSharpEdge_deg / 2 * M_PI / 180)) return 0.0;
+  const double side = along > 0 ? 1.0 : -1.0;
+  return 1 / std::sqrt(std::max(1 + side * bending_[near.triangle] * near.distance_m, 0.1));
 }
 
 bool Surface::surrounds(const Vec3d& point) const {
@@ -58,7 +72,7 @@ bool Surface::surrounds(const Vec3d& point) const {
 std::size_t Surface::bytes() const {
   return mesh_.vertices.capacity() * sizeof(Vec3d) +
          mesh_.triangles.capacity() * sizeof(std::array<Index, 3>) + tree_.bytes() +
-         (distance_ ? distance_->bytes() : 0);
+         bending_.capacity() * sizeof(double) + (distance_ ? distance_->bytes() : 0);
 }
 
 }  // namespace ice_ice_baby

@@ -30,6 +30,10 @@ class Surface {
   /// Whether the surface stands around a point: seen along five of the six axes at least.
   bool surrounds(const Vec3d& point) const;
 
+  /// Square root of the area of the surface at a point of it over that of the parallel surface
+  /// through x; 0 beside a sharp edge or a corner.
+  double flatness(const SurfacePoint& near, const Vec3d& x) const;
+
   SurfacePoint closest(const Vec3d& point, double reach_m) const {
     return tree_.closest(point, reach_m, distance_ ? distance_->hint(point) : kNone);
   }
@@ -46,6 +50,7 @@ class Surface {
   TriangleMesh mesh_;
   SurfaceTree tree_;
   MeshTopology topology_;
+  std::vector<double> bending_;  ///< of each triangle
   double radius_m_;
   double reach_m_ = 0.0;
   std::optional<SurfaceDistance> distance_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meshes/mesh_curvature.h"
 #include "meshes/mesh_topology.h"
 #include "meshes/meshes.h"
 #include "meshes/solids_of_revolution.h"
@@ -111,6 +112,33 @@ TEST(SolidsOfRevolutionTest, AreClosedAndAsLargeAsTheRoundOnes) {
   EXPECT_NEAR(volume(capsuleMesh(r, h)) / (M_PI * r * r * (h + 4 * r / 3)), 1.0, 2e-3);
   const double outer = r + wall;
   EXPECT_NEAR(volume(cupMesh(r, h, wall)), M_PI * (outer * outer * (h + wall) - r * r * h), 1e-12);
+}
+
+TEST(MeshCurvatureTest, IsThatOfTheRoundSurface) {
+  const double r = 0.05;
+  const auto range = [](const TriangleMesh& mesh, auto counts) {
+    const std::vector<double> bending = bendingOf(mesh);
+    Eigen::AlignedBox<double, 1> found;
+    for (Index k = 0; k < mesh.triangles.size(); ++k) {
+      const auto& t = mesh.triangles[k];
+      const Vec3d centre = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
+      if (counts(centre)) found.extend(Eigen::Matrix<double, 1, 1>(bending[k]));
+    }
+    return std::pair(found.min()[0] * 0.05, found.max()[0] * 0.05);
+  };
+  const auto side =
+      range(cylinderMesh(r, 0.2), [&](const Vec3d& x) { return x.head(2).norm() > 0.9 * r; });
+  EXPECT_NEAR(side.first, 1.0, 0.01);
+  EXPECT_NEAR(side.second, 1.0, 0.01);
+  const auto lid =
+      range(cylinderMesh(r, 0.2), [&](const Vec3d& x) { return std::abs(x.z()) > 0.099; });
+  EXPECT_EQ(lid.second, 0.0);
+  const auto inside = range(cupMesh(r, 0.2, 0.02), [&](const Vec3d& x) {
+    return x.head(2).norm() > 0.9 * r && x.head(2).norm() < 1.05 * r && x.z() < 0.19 &&
+           x.z() > 0.01;
+  });
+  EXPECT_NEAR(inside.first, -1.0, 0.01);
+  EXPECT_NEAR(inside.second, -1.0, 0.01);
 }
 
 /// The lattice of distances is cautious and no more than a cell off.

@@ -86,8 +86,7 @@ TEST(WettedSolidsTest, ALatticeAroundABoxReceivesItsFluxTimesItsArea) {
 /// Water that has fallen around a solid in a tank and come to rest. How many particles touch the
 /// solid depends on how they are arranged: doc/solids.md.
 /// @returns power that it receives over flux x area
-template <class Solid>
-double deliveredShare(Scene scene, const Solid& solid) {
+double deliveredShare(Scene scene, double area_m2) {
   scene.containers = {test::tankOf({0.16, 0.16, 0.4}, true)};
   scene.blocks = {test::blockOf({-0.08, -0.08, 0.11}, {0.08, 0.08, 0.27})};
   const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
@@ -97,14 +96,14 @@ double deliveredShare(Scene scene, const Solid& solid) {
   };
   const double start = run(60), end = run(60);
   const double heat_s = 60 / scene.solver.frame_rate_hz * scene.thermal.speedup;
-  return (end - start) / (heat_s * kFlux_w_m2 * areaOf(solid));
+  return (end - start) / (heat_s * kFlux_w_m2 * area_m2);
 }
 
 void expectBallDelivers(double radius_d) {
   Scene scene = warmScene();
   scene.spheres = {ballOf(radius_d * kSpacing_m)};
   scene.spheres[0].position_m = {0, 0, 0.06};
-  const double share = deliveredShare(scene, scene.spheres[0]);
+  const double share = deliveredShare(scene, areaOf(scene.spheres[0]));
   std::printf("a ball of radius %.0f d delivers %.3f of flux x area\n", radius_d, share);
   EXPECT_NEAR(share, 1.0, 0.03);
 }
@@ -118,13 +117,42 @@ void expectBoxDelivers(const Vec3d& rpy_deg) {
   scene.boxes = {boxOf(Vec3d::Constant(6 * kSpacing_m))};
   scene.boxes[0].rpy_deg = rpy_deg;
   scene.boxes[0].position_m = {0, 0, 0.06};
-  const double share = deliveredShare(scene, scene.boxes[0]);
+  const double share = deliveredShare(scene, areaOf(scene.boxes[0]));
   std::printf("a box of side 6 d delivers %.3f of flux x area\n", share);
   EXPECT_NEAR(share, 1.0, 0.03);
 }
 
 TEST(WettedSolidsTest, AnUprightBoxDeliversFluxTimesArea) { expectBoxDelivers({0, 0, 0}); }
 TEST(WettedSolidsTest, ATurnedBoxDeliversFluxTimesArea) { expectBoxDelivers({20, 30, 40}); }
+
+template <class Solid>
+void expectRoundSolidDelivers(std::vector<Solid> Scene::*list, const Solid& solid, double area_m2) {
+  Scene scene = warmScene();
+  (scene.*list).push_back(withFlux(solid));
+  (scene.*list)[0].name = "solid";
+  (scene.*list)[0].position_m = {0, 0, 0.06};
+  const double share = deliveredShare(scene, area_m2);
+  std::printf("delivers %.3f of flux x area\n", share);
+  EXPECT_NEAR(share, 1.0, 0.03);
+}
+
+TEST(WettedSolidsTest, ACapsuleDeliversFluxTimesArea) {
+  Capsule capsule;
+  capsule.radius_m = 3 * kSpacing_m;
+  capsule.length_m = 4 * kSpacing_m;
+  capsule.rpy_deg = {0, 90, 0};
+  expectRoundSolidDelivers(&Scene::capsules, capsule,
+                           2 * M_PI * capsule.radius_m * (capsule.length_m + 2 * capsule.radius_m));
+}
+
+TEST(WettedSolidsTest, ACylinderDeliversFluxTimesArea) {
+  Cylinder cylinder;
+  cylinder.radius_m = 3 * kSpacing_m;
+  cylinder.height_m = 6 * kSpacing_m;
+  cylinder.rpy_deg = {0, 90, 0};
+  expectRoundSolidDelivers(&Scene::cylinders, cylinder,
+                           2 * M_PI * cylinder.radius_m * (cylinder.height_m + cylinder.radius_m));
+}
 
 }  // namespace wetted_solids_test
 }  // namespace ice_ice_baby
