@@ -40,6 +40,10 @@ LISTS = {
     "planes": "planes=[{name: plate, position_m: [0, 0, -5]}]",
     "spheres": "spheres=[{name: ball, position_m: [0, 0, -5]}]",
     "boxes": "boxes=[{name: box, position_m: [0, 0, -5]}]",
+    "cylinders": "cylinders=[{name: post, position_m: [0, 0, -5]}]",
+    "capsules": "capsules=[{name: pill, position_m: [0, 0, -5]}]",
+    "cups": "cups=[{name: cup, position_m: [0, 0, -5]}]",
+    "meshes": "meshes=[{name: mesh, file: block.obj, position_m: [0, 0, -5]}]",
 }
 
 
@@ -47,7 +51,11 @@ ALONE = "blocks=[{min_m: [-0.025, -0.025, 0], max_m: [0.025, 0.025, 0.05]}]"
 
 # Room for what is probed, so that no rule but the range can refuse it.
 ROOM = {
-    "blocks.copies": (f"{ALONE[:-2]}, copies_step_m: [0.05, 0.05, 0.05]}}]", "containers=[]"),
+    "blocks.copies": (
+        f"{ALONE[:-2]}, copies_step_m: [0.05, 0.05, 0.05]}}]",
+        "containers=[]",
+        "bounds.max_m=[100, 100, 100]",
+    ),
     "containers.size_m": (ALONE,),
     "spheres.radius_m": ("spheres=[{name: ball, position_m: [0, 0, -100]}]",),
     "boxes.size_m": ("boxes=[{name: box, position_m: [0, 0, -100]}]",),

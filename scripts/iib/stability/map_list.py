@@ -170,6 +170,7 @@ def scaled_splash(spacing_m):
         f"fluid.spacing_m={number(spacing_m)}",
         f"blocks=[{{min_m: {low}, max_m: {high}}}]",
         f"containers=[{tank}]",
+        "bounds={min_m: [-100, -100, -100], max_m: [100, 100, 100]}",
     )
 
 

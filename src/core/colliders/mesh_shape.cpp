@@ -12,12 +12,21 @@ namespace ice_ice_baby {
 
 namespace {
 
+/// @param what the collider and its measures, for messages
 template <class Real>
-MeshShape<Real> shapeOf(TriangleMesh mesh, double radius_m) {
+MeshShape<Real> shapeOf(TriangleMesh mesh, double radius_m, const std::string& what) {
   MeshShape<Real> shape;
   shape.radius = static_cast<Real>(radius_m);
-  shape.triangles = std::make_shared<const Surface>(std::move(mesh), radius_m);
+  try {
+    shape.triangles = std::make_shared<const Surface>(std::move(mesh), radius_m);
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(what + ": " + e.what());
+  }
   return shape;
+}
+
+std::string measureText(const char* key, double value) {
+  return std::string(key) + " = " + numberText(value);
 }
 
 /// Adds the edges of a single triangle and those at which the surface turns sharply.
@@ -44,17 +53,24 @@ void addSharpEdges(const Surface& surface, ColliderMesh& mesh) {
 
 template <class Real>
 MeshShape<Real> makeShape(const Cylinder& c, double radius_m) {
-  return shapeOf<Real>(cylinderMesh(c.radius_m, c.height_m), radius_m);
+  return shapeOf<Real>(cylinderMesh(c.radius_m, c.height_m), radius_m,
+                       "cylinder " + c.name + " with " + measureText("radius_m", c.radius_m) +
+                           " and " + measureText("height_m", c.height_m));
 }
 
 template <class Real>
 MeshShape<Real> makeShape(const Capsule& c, double radius_m) {
-  return shapeOf<Real>(capsuleMesh(c.radius_m, c.length_m), radius_m);
+  return shapeOf<Real>(capsuleMesh(c.radius_m, c.length_m), radius_m,
+                       "capsule " + c.name + " with " + measureText("radius_m", c.radius_m) +
+                           " and " + measureText("length_m", c.length_m));
 }
 
 template <class Real>
 MeshShape<Real> makeShape(const Cup& c, double radius_m) {
-  MeshShape<Real> shape = shapeOf<Real>(cupMesh(c.radius_m, c.depth_m, c.wall_m), radius_m);
+  MeshShape<Real> shape = shapeOf<Real>(
+      cupMesh(c.radius_m, c.depth_m, c.wall_m), radius_m,
+      "cup " + c.name + " with " + measureText("radius_m", c.radius_m) + ", " +
+          measureText("depth_m", c.depth_m) + " and " + measureText("wall_m", c.wall_m));
   shape.look = Look::kGlass;
   shape.vessel = true;
   return shape;
@@ -67,7 +83,8 @@ MeshShape<Real> makeShape(const Mesh& m, double radius_m) {
                        " has no triangles; scenes read from a file read them "
                        "from `file`, scenes built in code set `triangles`");
   }
-  MeshShape<Real> shape = shapeOf<Real>(welded(*m.triangles), radius_m);
+  MeshShape<Real> shape = shapeOf<Real>(
+      welded(*m.triangles), radius_m, "mesh " + m.name + " with " + measureText("scale", m.scale));
   shape.look = m.opacity < 1.0 ? Look::kGlass : Look::kObject;
   shape.vessel = true;
   return shape;

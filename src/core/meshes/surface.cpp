@@ -13,19 +13,31 @@ namespace {
 /// support radius, in most scenes four radii.
 constexpr double kEdge_r = 0.5, kBand_r = 4.5;
 
-/// Blocks that a lattice around a surface may have.
-constexpr double kMaxBlocks = 4e6;
+/// Blocks that a lattice around a surface may have, and area in squared spacings: their tables need
+/// 20 kB and a millisecond or two for each of these.
+constexpr double kMaxBlocks = 4e6, kMaxArea_d2 = 4e4;
 
-void requireBlocks(const SurfaceTree& tree, double radius_m) {
+double areaOf(const SurfaceTree& tree) {
+  double area = 0.0;
+  for (Index k = 0; k < tree.count(); ++k) area += tree.triangle(k).area();
+  return area;
+}
+
+void requireSmall(const SurfaceTree& tree, double radius_m) {
   const Vec3d margin = Vec3d::Constant((kBand_r + 2 * kEdge_r) * radius_m);
   const Eigen::AlignedBox3d box(tree.bounds().min() - margin, tree.bounds().max() + margin);
-  if (BlockIndex::blocksOver(box, kEdge_r * radius_m) <= kMaxBlocks) return;
+  const double area = areaOf(tree);
+  if (BlockIndex::blocksOver(box, kEdge_r * radius_m) <= kMaxBlocks &&
+      area <= kMaxArea_d2 * 4 * radius_m * radius_m) {
+    return;
+  }
   const Vec3d size = tree.bounds().sizes();
-  throw InvalidInput("a mesh of " + numberText(size.x()) + " x " + numberText(size.y()) + " x " +
-                     numberText(size.z()) + " m is too large for a spacing of " +
-                     numberText(2 * radius_m) +
-                     " m; raise fluid.spacing_m, check the scale of the mesh, or use boxes and "
-                     "planes for what is large and flat");
+  throw InvalidInput(
+      "a surface of " + numberText(area) + " m2 in a box of " + numberText(size.x()) + " x " +
+      numberText(size.y()) + " x " + numberText(size.z()) + " m is too large for a spacing of " +
+      numberText(2 * radius_m) +
+      " m; raise fluid.spacing_m, check the scale, or use boxes and planes for what is "
+      "large and flat");
 }
 
 }  // namespace
@@ -38,7 +50,7 @@ Surface::Surface(TriangleMesh mesh, double radius_m)
       radius_m_(radius_m) {
   for (const Vec3d& vertex : mesh_.vertices) reach_m_ = std::max(reach_m_, vertex.norm());
   if (radius_m == 0.0) return;
-  requireBlocks(tree_, radius_m);
+  requireSmall(tree_, radius_m);
   distance_.emplace(tree_, topology_.closed(), kEdge_r * radius_m, kBand_r * radius_m);
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
 
@@ -15,9 +14,6 @@ namespace {
 constexpr double kSide_d = 0.25;
 /// Longest side of the pieces for which opacity is measured, in spacings.
 constexpr double kMeasured_d = 0.5;
-
-/// More samples than this need too much memory and time.
-constexpr double kMaxSamples = 4e7;
 
 /// A wall with a thickness between these, in spacings, is partly thin. Particles on both sides of a
 /// thicker one are out of reach of each other.
@@ -96,22 +92,10 @@ void measure(const Surface& surface, double spacing_m, SurfaceSample& sample) {
   sample.opacity = smoothStep(distanceToRim(tree, sample, spacing_m));
 }
 
-void requireFew(const SurfaceTree& tree, double spacing_m) {
-  double area = 0.0;
-  for (Index k = 0; k < tree.count(); ++k) area += tree.triangle(k).area();
-  const double side = kSide_d * spacing_m;
-  if (8 * area / (side * side) + double(tree.count()) <= kMaxSamples) return;
-  throw InvalidInput("a mesh with a surface of " + numberText(area) +
-                     " m2 is too large for a spacing of " + numberText(spacing_m) +
-                     " m; raise fluid.spacing_m, check the scale of the mesh, or use boxes and "
-                     "planes for what is large and flat");
-}
-
 }  // namespace
 
 std::vector<SurfaceSample> samplesOf(const Surface& surface, double spacing_m) {
   const SurfaceTree& tree = surface.tree();
-  requireFew(tree, spacing_m);
   const double facing = surface.topology().volume_m3 < 0 ? -1.0 : 1.0;
   std::vector<Triangle> pieces;
   std::vector<SurfaceSample> measured;
