@@ -21,13 +21,12 @@ std::vector<ParticleSample> at(const Vec3d& place) {
 /// Counts of a particle that goes from one place to another in a frame, in the frame of the vessel.
 LeakCounts countsOf(const std::string& vessel, const Vec3d& from, const Vec3d& to,
                     bool placed = false) {
-  LeakWatch watch(makeVessel(vessel, kSpacing_m), kSpacing_m);
+  LeakWatch watch(makeVessel(vessel, kSpacing_m, true), kSpacing_m);
   const Posed pose{Vec3d(0.3, -0.2, 0.1),
                    Eigen::AngleAxisd(1.2, Vec3d(1, 2, 3).normalized()).toRotationMatrix()};
   watch.start(at(from), {});
   watch.frame(at(pose.toWorld(to)), pose, kFrame_s, placed);
-  watch.finish();
-  return watch.counts();
+  return watch.take();
 }
 
 TEST(LeakWatchTest, APathThroughTheWallOfEachVesselIsALeak) {
@@ -65,7 +64,7 @@ TEST(LeakWatchTest, CountsPlacesThatAreNotFinite) {
 }
 
 TEST(LeakWatchTest, TheMeshOfManyTrianglesHasThem) {
-  EXPECT_NEAR(double(makeVessel("dense_cup", kSpacing_m).walls.triangles.size()), 1e5, 1e3);
+  EXPECT_NEAR(double(makeVessel("dense_cup", kSpacing_m, false).walls.triangles.size()), 1e5, 1e3);
 }
 
 TEST(VesselMotionTest, ReachesItsSpeedAndNoMore) {

@@ -13,8 +13,9 @@ from iib.leaks import tally, trials
 
 DESCRIPTION = """Moves vessels of water and counts the particles that go through their walls.
 
-Each pair of a vessel and a motion runs at several spacings, with the quality changing from trial to
-trial. Prints a table, and for each trial that leaks the command that repeats it.
+Each vessel makes all motions at several spacings. The quality, and whether an open vessel stands in a
+closed box that moves along, change from trial to trial. Prints a table, and for each trial that
+leaks the command that repeats it.
 Meaning and figures: doc/leaks.md.
 
 Examples:
@@ -39,7 +40,7 @@ def parser():
         "--seconds",
         type=float,
         metavar="S",
-        help=f"simulated seconds of a trial (default: {SECONDS:g}, with --quick {QUICK_SECONDS:g})",
+        help=f"simulated seconds of a motion (default: {SECONDS:g}, with --quick {QUICK_SECONDS:g})",
     )
     p.add_argument("--vessel", action="append", metavar="NAME", help="only this one; repeatable")
     p.add_argument("--motion", action="append", metavar="NAME", help="only this one; repeatable")
@@ -87,15 +88,12 @@ class Bench:
     def measure_round(self, number):
         """Results of a round."""
         todo, results = self.round(number), []
-        if not todo:
-            raise Refusal("plates are not teleported, see doc/leaks.md; choose another pair")
         bar = Progress([f"{trial.spacing_m:g}" for trial in todo])
         with concurrent.futures.ThreadPoolExecutor(self.args.jobs) as pool:
-            running = {pool.submit(trials.measure, self.program, trial): trial for trial in todo}
+            running = [pool.submit(self.measure_trial, trial, bar) for trial in todo]
             try:
                 for done in concurrent.futures.as_completed(running):
-                    results.append(done.result())
-                    self.show(running[done], results[-1], bar)
+                    results += done.result()
             except BaseException:
                 pool.shutdown(cancel_futures=True)
                 raise
@@ -103,12 +101,16 @@ class Bench:
                 bar.close()
         return results
 
-    def show(self, trial, result, bar):
-        bar.end(f"{trial.spacing_m:g}", result["wall_s"])
-        if result["through_wall"] or result["nan"]:
+    def measure_trial(self, trial, bar):
+        start = time.monotonic()
+        results = trials.measure(self.program, trial)
+        bar.end(f"{trial.spacing_m:g}", time.monotonic() - start)
+        failed = [r for r in results if r["through_wall"] or r["nan"]]
+        for one in failed:
             bar.close()
-            what = f"{result['through_wall']} through a wall, {result['nan']} NaN"
+            what = f"{one['motion']}: {one['through_wall']} through a wall, {one['nan']} NaN"
             print(f"{what}: {trial.command()}", flush=True)
+        return results
 
     def measure(self):
         results = self.measure_round(0)
@@ -130,9 +132,9 @@ def run(words):
     total, pairs = tally.of(bench.measure())
     print(tally.table(bench.vessels, bench.motions, total, pairs))
     print(
-        f"{total.trials} trials, {total.particle_seconds:,.0f} particle-seconds, "
+        f"{total.particle_seconds:,.0f} particle-seconds in {total.seconds:.0f} s of motion, "
         f"{total.through_wall:,} through a wall, {total.nan:,} NaN, "
-        f"{time.monotonic() - start:.0f} s"
+        f"{time.monotonic() - start:.0f} s of wall time"
     )
     if args.picture:
         from iib.leaks import picture

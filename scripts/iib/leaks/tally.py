@@ -11,13 +11,11 @@ class Tally:
     through_wall: int = 0
     escaped_over_rim: int = 0
     nan: int = 0
-    trials: int = 0
-    wall_s: float = 0.0
+    seconds: float = 0.0
 
     def add(self, result):
-        for field in ("particle_seconds", "through_wall", "escaped_over_rim", "nan", "wall_s"):
+        for field in ("particle_seconds", "through_wall", "escaped_over_rim", "nan", "seconds"):
             setattr(self, field, getattr(self, field) + result[field])
-        self.trials += 1
 
     def failed(self):
         return self.through_wall > 0 or self.nan > 0

@@ -9,23 +9,28 @@ SPACINGS_M = (0.02, 0.012, 0.006, 0.003)
 QUICK_SPACINGS_M = (0.02, 0.012)
 QUALITIES = ("fast", "balanced", "accurate")
 
-# Plates are colliders without an inside: placed elsewhere, they leave the water behind.
-LEFT_OUT = {("plates", "teleported")}
+CLOSED = ("container", "bottle")
+# Plates are colliders without an inside: placed elsewhere, only the box takes their water along.
+ONLY_IN_BOX = ("plates", "teleported")
 
 
 @dataclasses.dataclass(frozen=True)
 class Trial:
+    """Motions one after the other with the same water."""
+
     vessel: str
-    motion: str
+    motions: tuple
     spacing_m: float
     quality: str
+    in_box: bool
     seconds: float
     seed: int
 
     def words(self):
         return (
-            f"--vessel {self.vessel} --motion {self.motion} --spacing {self.spacing_m:g} "
-            f"--quality {self.quality} --seconds {self.seconds:g} --seed {self.seed}"
+            f"--vessel {self.vessel} --spacing {self.spacing_m:g} --quality {self.quality} "
+            f"--seconds {self.seconds:g} --seed {self.seed}{' --in-box' if self.in_box else ''} "
+            f"--motion {' '.join(self.motions)}"
         ).split()
 
     def command(self):
@@ -39,19 +44,23 @@ def names(program):
 
 
 def of_round(vessels, motions, spacings_m, seconds, number=0):
-    """All pairs of a vessel and a motion at each spacing. The quality changes from trial to trial
-    and from round to round, so three rounds have every combination."""
+    """All vessels at each spacing. The quality, and whether an open vessel stands in a box, change
+    from trial to trial and from round to round, so six rounds have every combination."""
     found = []
     for v, vessel in enumerate(vessels):
-        for m, motion in enumerate(motions):
-            if (vessel, motion) in LEFT_OUT:
-                continue
-            for s, spacing_m in enumerate(spacings_m):
-                quality = QUALITIES[(v + m + s + number) % len(QUALITIES)]
-                found.append(Trial(vessel, motion, spacing_m, quality, seconds, 1000 * number + 1))
+        for s, spacing_m in enumerate(spacings_m):
+            turn = v + s + number
+            quality = QUALITIES[turn % len(QUALITIES)]
+            in_box = turn % 2 == 0 and vessel not in CLOSED
+            kept = tuple(m for m in motions if in_box or (vessel, m) != ONLY_IN_BOX)
+            if kept:
+                found.append(
+                    Trial(vessel, kept, spacing_m, quality, in_box, seconds, 1000 * number + 1)
+                )
     # The longest first, so that the last ones end together.
     return sorted(found, key=lambda trial: trial.spacing_m)
 
 
 def measure(program, trial):
-    return json.loads(run([program, *trial.words()]))
+    """One result for each motion."""
+    return [json.loads(line) for line in run([program, *trial.words()]).splitlines()]

@@ -1,13 +1,14 @@
 #include "leaks/leak_watch.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ice_ice_baby::leaks {
 
 namespace {
 
 /// Lattice of the distances that show which particles are far from all walls.
-constexpr double kEdge_m = 0.002, kBand_m = 0.03;
+constexpr double kEdge_m = 0.005, kBand_m = 0.02;
 
 }  // namespace
 
@@ -32,7 +33,6 @@ std::size_t LeakWatch::inside() const {
 }
 
 void LeakWatch::start(const std::vector<ParticleSample>& samples, const Posed& pose) {
-  tracks_.clear();
   for (const ParticleSample& s : samples) {
     if (tracks_.size() <= s.id) tracks_.resize(s.id + 1);
     Track& track = tracks_[s.id];
@@ -81,15 +81,16 @@ void LeakWatch::frame(const std::vector<ParticleSample>& samples, const Posed& p
   }
 }
 
-/// Of an open vessel, all that is not inside any more and did not leak. Of a closed one, what is
-/// not inside leaked, however it got out.
-void LeakWatch::finish() {
-  std::size_t gone = 0;
-  for (const Track& track : tracks_) {
+/// All that is not inside an open vessel and did not leak left over the rim. What is not inside a
+/// closed one leaked, however it got out.
+LeakCounts LeakWatch::take() {
+  for (Track& track : tracks_) {
     const bool inside = track.present && (rim_m_ ? track.inside : inRoom(track.place));
-    if (!inside && !track.leaked) ++gone;
+    if (inside || track.leaked) continue;
+    ++(rim_m_ ? counts_.escaped_over_rim : counts_.through_wall);
+    track.leaked = !rim_m_;
   }
-  (rim_m_ ? counts_.escaped_over_rim : counts_.through_wall) += gone;
+  return std::exchange(counts_, {});
 }
 
 }  // namespace ice_ice_baby::leaks

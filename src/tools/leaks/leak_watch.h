@@ -32,17 +32,16 @@ class LeakWatch {
  public:
   LeakWatch(const Vessel& vessel, double spacing_m);
 
-  /// Starts anew with other water; the counts go on.
+  /// Takes the places before the first frame.
   void start(const std::vector<ParticleSample>& samples, const Posed& pose);
   /// @param pose of the vessel after the frame
   /// @param placed whether the vessel was placed there without motion; water outside stays where it
   /// was then and has no path in the frame of the vessel
   void frame(const std::vector<ParticleSample>& samples, const Posed& pose, double frame_s,
              bool placed);
-  /// Ends a run: counts what left over the rim.
-  void finish();
+  /// Counts since the last call.
+  LeakCounts take();
 
-  const LeakCounts& counts() const { return counts_; }
   /// Particles inside after the latest frame.
   std::size_t inside() const;
 

@@ -152,8 +152,9 @@ const std::vector<std::pair<const char*, Sampling>> kSampled{
 }  // namespace
 
 std::vector<std::string> motionNames() {
-  std::vector<std::string> names{"shaken", "tumbled", "spun"};
+  std::vector<std::string> names;
   for (const auto& [name, sampling] : kSampled) names.emplace_back(name);
+  names.insert(names.end(), {"spun", "shaken", "tumbled"});
   return names;
 }
 

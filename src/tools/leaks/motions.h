@@ -16,6 +16,7 @@ class VesselMotion {
   virtual Posed at(double time_s) = 0;
 };
 
+/// Gentle ones first.
 std::vector<std::string> motionNames();
 
 /// @throws InvalidInput for an unknown name

@@ -193,10 +193,18 @@ Vessel plates() {
   add("back", {inner, w, kDepth_m}, {0, middle, kDepth_m / 2});
   vessel.room = boxRoom({inner, inner, kDepth_m});
   vessel.rim_m = kDepth_m;
-  vessel.carries = false;
   vessel.scene.blocks.push_back(water(
       {-kRadius_m, -kRadius_m, 0}, {kRadius_m, kRadius_m, kOpenFill * kDepth_m}, BlockShape::kBox));
   return vessel;
+}
+
+/// Leaves more than 2 cm around the vessel, the largest spacing.
+void addBoxAround(Vessel& vessel) {
+  Container& box = vessel.scene.containers.emplace_back();
+  box.name = "box";
+  box.size_m = Vec3d(0.15, 0.15, 0.17);
+  box.position_m.z() = -0.03;
+  box.open_top = false;
 }
 
 const std::vector<std::pair<const char*, std::function<Vessel()>>>& all() {
@@ -219,13 +227,14 @@ std::vector<std::string> vesselNames() {
   return names;
 }
 
-Vessel makeVessel(const std::string& name, double spacing_m) {
+Vessel makeVessel(const std::string& name, double spacing_m, bool in_box) {
   for (const auto& [known, make] : all()) {
     if (name != known) continue;
     Vessel vessel = make();
     vessel.scene.fluid.spacing_m = spacing_m;
     vessel.walls = wallsOf(vessel.scene);
     vessel.centre_m = Vec3d(0, 0, kDepth_m / 2);
+    if (in_box && vessel.rim_m) addBoxAround(vessel);
     return vessel;
   }
   throw InvalidInput("no vessel " + shortened(name) + "; there are: " + joined(vesselNames()));

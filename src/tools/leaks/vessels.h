@@ -14,12 +14,13 @@ struct Vessel {
   TriangleMesh room;   ///< closed surface around the inside, up to the rim
   std::optional<double> rim_m;     ///< height of the rim; none: the vessel is closed
   Vec3d centre_m = Vec3d::Zero();  ///< of its rotations
-  bool carries = true;             ///< whether its water goes along when it is placed elsewhere
 };
 
 std::vector<std::string> vesselNames();
 
+/// @param in_box whether an open vessel stands in a closed box that moves along, so that its water
+/// stays near and meets the walls from both sides
 /// @throws InvalidInput for an unknown name
-Vessel makeVessel(const std::string& name, double spacing_m);
+Vessel makeVessel(const std::string& name, double spacing_m, bool in_box);
 
 }  // namespace ice_ice_baby::leaks
