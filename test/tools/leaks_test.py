@@ -63,7 +63,7 @@ class Leaks(unittest.TestCase):
         text = self.go("--quick", "--vessel", "cup", code=1).stdout
         self.assertIn("shaken: 3 through a wall, 0 NaN: leak_trial --vessel cup", text)
         self.assertIn("--motion spun shaken", text)
-        self.assertIn("| cup | shaken | 200 | 6 | 10 | 0 |", text)
+        self.assertIn("| cup | shaken | 100 | 3 | 5 | 0 |", text)
         self.go("--quick", "--motion", "spun")
 
     def test_six_rounds_have_every_combination(self):

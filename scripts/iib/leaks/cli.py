@@ -13,8 +13,8 @@ from iib.leaks import tally, trials
 
 DESCRIPTION = """Moves vessels of water and counts the particles that go through their walls.
 
-Each vessel makes all motions at several spacings. The quality, and whether an open vessel stands in a
-closed box that moves along, change from trial to trial. Prints a table, and for each trial that
+Each vessel makes all motions at several spacings. The quality, and whether an open vessel stands in
+a closed box that moves along, change from trial to trial. Prints a table, and for each trial that
 leaks the command that repeats it.
 Meaning and figures: doc/leaks.md.
 
@@ -40,7 +40,7 @@ def parser():
         "--seconds",
         type=float,
         metavar="S",
-        help=f"simulated seconds of a motion (default: {SECONDS:g}, with --quick {QUICK_SECONDS:g})",
+        help=f"simulated seconds of a motion ({SECONDS:g}, with --quick {QUICK_SECONDS:g})",
     )
     p.add_argument("--vessel", action="append", metavar="NAME", help="only this one; repeatable")
     p.add_argument("--motion", action="append", metavar="NAME", help="only this one; repeatable")

@@ -6,7 +6,7 @@ import json
 from iib.common.processes import run
 
 SPACINGS_M = (0.02, 0.012, 0.006, 0.003)
-QUICK_SPACINGS_M = (0.02, 0.012)
+QUICK_SPACINGS_M = (0.012,)
 QUALITIES = ("fast", "balanced", "accurate")
 
 CLOSED = ("container", "bottle")
