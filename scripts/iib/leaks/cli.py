@@ -44,6 +44,13 @@ def parser():
     )
     p.add_argument("--vessel", action="append", metavar="NAME", help="only this one; repeatable")
     p.add_argument("--motion", action="append", metavar="NAME", help="only this one; repeatable")
+    p.add_argument(
+        "--spacing",
+        action="append",
+        type=float,
+        metavar="M",
+        help=f"only this one, of {', '.join(f'{s:g}' for s in trials.SPACINGS_M)} m; repeatable",
+    )
     p.add_argument("--picture", metavar="FILE", help="also draw the table; needs matplotlib")
     p.add_argument("--jobs", type=int, default=os.cpu_count(), help="trials at a time")
     p.add_argument("--list", action="store_true", help="print the vessels and motions")
@@ -65,6 +72,9 @@ def checked(args):
         raise Refusal("--quick and --long contradict each other")
     if args.seconds is not None and not 0.01 <= args.seconds <= 1e5:
         raise Refusal(f"--seconds {args.seconds:g} is outside [0.01, 100000]")
+    for spacing_m in args.spacing or []:
+        if spacing_m not in trials.SPACINGS_M:
+            raise Refusal(f"--spacing {spacing_m:g} is none of {trials.SPACINGS_M}")
     if args.jobs < 1:
         raise Refusal("--jobs must be 1 or more")
     folder = pathlib.Path(args.picture or ".").resolve().parent
@@ -81,7 +91,8 @@ class Bench:
         self.motions = chosen(args.motion, motions, "motion")
 
     def round(self, number):
-        spacings_m = trials.QUICK_SPACINGS_M if self.args.quick else trials.SPACINGS_M
+        usual = trials.QUICK_SPACINGS_M if self.args.quick else trials.SPACINGS_M
+        spacings_m = self.args.spacing or usual
         seconds = self.args.seconds or (QUICK_SECONDS if self.args.quick else SECONDS)
         return trials.of_round(self.vessels, self.motions, spacings_m, seconds, number)
 
