@@ -10,6 +10,8 @@ NOT_RUN = {
     "scripts/error_vs_runtime *": "takes minutes",
     "scripts/stability": "takes minutes",
     "scripts/stability *": "takes minutes",
+    "scripts/leaks": "takes minutes",
+    "scripts/leaks --long": "takes hours",
     "scripts/verify": "takes minutes",
     "scripts/verify --fast *": "takes minutes",
     "scripts/check/*": "takes minutes, and needs tools that the machine may lack",

@@ -15,20 +15,24 @@ from iib.common.refusal import Refusal
 STATUS = {0: "ok", 1: "refused", 2: "unstable"}
 
 
-def find_run_scene(given=None):
-    """Path of the program: the given one, or the newest in the build folders."""
+def find_built(name, given=None):
+    """Path of a program of the build: the given one, or the newest in the build folders."""
+    option = "--" + name.replace("_", "-")
     if given is not None:
         path = pathlib.Path(given)
         if not (path.is_file() and os.access(path, os.X_OK)):
-            raise Refusal(f"--run-scene {given} is no program; build it with scripts/build")
+            raise Refusal(f"{option} {given} is no program; build it with scripts/build")
         return path.resolve()
-    built = [p for p in ROOT.glob("build*/**/run_scene") if p.is_file() and os.access(p, os.X_OK)]
+    built = [p for p in ROOT.glob(f"build*/**/{name}") if p.is_file() and os.access(p, os.X_OK)]
     if not built:
         raise Refusal(
-            "no run_scene found in the build folders; run scripts/build, "
-            "or name one with --run-scene"
+            f"no {name} found in the build folders; run scripts/build, or name one with {option}"
         )
     return max(built, key=lambda p: p.stat().st_mtime)
+
+
+def find_run_scene(given=None):
+    return find_built("run_scene", given)
 
 
 def words(scene, sets=(), **options):

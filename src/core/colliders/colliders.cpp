@@ -9,6 +9,9 @@ namespace ice_ice_baby {
 
 namespace {
 
+/// Difference between poses, in m and of rotations, up to which colliders move as one body.
+constexpr double kTogether = 1e-6;
+
 template <class Real>
 Motion<Real> standing(const Posed& pose) {
   return {pose.cast<Real>(), pose.cast<Real>()};
@@ -96,18 +99,35 @@ Jump<Real> Colliders<Real>::place(const std::string& name, const Posed& pose) {
   return jump;
 }
 
+/// Whether two colliders move as parts of one rigid body.
+template <class Real>
+bool Colliders<Real>::together(const Travel& a, const Travel& b) {
+  const Mat3<double> rotation = a.target.rotation * a.start.rotation.transpose();
+  if (!(rotation * b.start.rotation).isApprox(b.target.rotation, kTogether)) return false;
+  const Vec3d end = a.target.toWorld(a.start.toLocal(b.start.position));
+  return (end - b.target.position).norm() <= kTogether;
+}
+
 template <class Real>
 std::vector<Jump<Real>> Colliders<Real>::jump(double max_m, double reach_m) {
-  std::vector<Jump<Real>> jumps;
+  std::vector<std::size_t> fast;
   for (std::size_t k = 0; k < travels_.size(); ++k) {
-    Travel& travel = travels_[k];
+    const Travel& travel = travels_[k];
     const Eigen::AngleAxisd rotation(travel.start.rotation.transpose() * travel.target.rotation);
     const double far = (travel.target.position - travel.start.position).norm() +
                        std::abs(rotation.angle()) * all_[k].shape.turningRadius(reach_m);
-    if (far <= max_m) continue;
-    jumps.push_back({k, {travel.start.template cast<Real>(), travel.target.template cast<Real>()}});
-    travel.start = travel.target;
+    if (far > max_m) fast.push_back(k);
   }
+  std::vector<Jump<Real>> jumps;
+  for (std::size_t k = 0; k < travels_.size() && !fast.empty(); ++k) {
+    const Travel& travel = travels_[k];
+    const bool jumps_too = std::any_of(fast.begin(), fast.end(), [&](std::size_t other) {
+      return k == other || together(travels_[other], travel);
+    });
+    if (!jumps_too) continue;
+    jumps.push_back({k, {travel.start.template cast<Real>(), travel.target.template cast<Real>()}});
+  }
+  for (const Jump<Real>& jump : jumps) travels_[jump.number].start = travels_[jump.number].target;
   if (!jumps.empty()) setSubstep(0.0, 0.0);
   return jumps;
 }

@@ -65,7 +65,8 @@ class Colliders {
   /// @throws InvalidInput for an unknown name
   Jump<Real> place(const std::string& name, const Posed& pose);
   /// Colliders with a point that would move farther than `max_m` in the frame do not sweep: they
-  /// jump to their target pose before the frame starts.
+  /// jump to their target pose before the frame starts, together with all that move as one body
+  /// with them: water that a box takes along must not pass the wall of a cup in it that sweeps.
   /// @param reach_m distance from the origin up to which an infinite collider matters
   /// @return one entry per collider that jumped, with its poses before and after
   std::vector<Jump<Real>> jump(double max_m, double reach_m);
@@ -92,6 +93,7 @@ class Colliders {
     Posed target;
   };
 
+  static bool together(const Travel& a, const Travel& b);
   template <class Push>
   Real pushAll(Vec3<Real>& end, const Push& push) const;
   bool cutsRound(const Vec3<Real>& from, const Vec3<Real>& to) const;

@@ -103,6 +103,27 @@ TEST_F(JumpsTest, ATankThatJumpsTakesItsWaterAlongAsItIs) {
   EXPECT_EQ(simulation->report().speed_limited, 0u);
 }
 
+/// A wide tank jumps at a smaller turn than the narrow one in it.
+TEST_F(JumpsTest, CollidersThatMoveAsOneBodyJumpTogether) {
+  Scene scene = pool();
+  Box& wall = scene.boxes.emplace_back();
+  wall.name = "wall";
+  wall.size_m = Vec3d(0.1, 0.78, 0.2);
+  wall.position_m = Vec3d(0, 0, 0.1);
+  scene.blocks[0] = blockOf({-0.5, -0.4, 0}, {-0.05, 0.4, 0.3});
+  scene.blocks[0].carve = true;
+  const auto simulation = rested(scene);
+  const Posed there = posed({0, 0, 0}, {0, 0, 38});
+  const std::vector<ParticleSample> was = samplesOf(*simulation);
+  simulation->moveCollider("tank", there);
+  simulation->moveCollider("wall", {there.toWorld(wall.position_m), there.rotation});
+  simulation->advanceFrame();
+  const std::vector<ParticleSample> is = samplesOf(*simulation);
+  for (std::size_t k = 0; k < was.size(); ++k) {
+    EXPECT_LT((there.toLocal(at(is[k])) - at(was[k])).norm(), 0.3 * kSpacing_m);
+  }
+}
+
 TEST_F(JumpsTest, ATankThatIsPlacedTakesItsWaterAlongHoweverNear) {
   for (const double distance_m : {0.004, 0.3, 5.0}) {
     const auto simulation = rested(pool());
