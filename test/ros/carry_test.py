@@ -101,7 +101,7 @@ class Carry(unittest.TestCase):
         self.assertEqual((count_inside(points, x), len(points)), (PARTICLES, PARTICLES))
 
     def test_1_the_first_pose_is_a_placement(self):
-        for x in (0.3, 1.0, -40.0):
+        for x in (0.3, 1.0, -35.0):
             with Robot(self.start(), lambda t, x=x: x):
                 state, points = self.run_frames(30)
             self.assert_in_cup(points, x)

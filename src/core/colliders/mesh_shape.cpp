@@ -40,11 +40,9 @@ void addSharpEdges(const Surface& surface, ColliderMesh& mesh) {
     }
   }
   const double smooth = std::cos(kSharpEdge_deg * M_PI / 180);
-  for (const auto& [edge, triangles] : sides) {
-    const auto normal = [&](std::size_t k) {
-      return surface.tree().triangle(triangles[k]).normal().normalized();
-    };
-    if (triangles.size() == 2 && normal(0).dot(normal(1)) > smooth) continue;
+  const auto normal = [&](Index k) { return surface.tree().triangle(k).normal().normalized(); };
+  for (const auto& [edge, beside] : sides) {
+    if (beside.size() == 2 && normal(beside[0]).dot(normal(beside[1])) > smooth) continue;
     mesh.edges.push_back(edge);
   }
 }
