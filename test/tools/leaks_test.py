@@ -48,7 +48,7 @@ class Leaks(unittest.TestCase):
     def go(self, *words, program=None, code=0):
         command = [ROOT / "scripts" / "leaks", "--leak-trial", program or self.stub, *words]
         command = [str(word) for word in command]
-        done = subprocess.run(command, text=True, capture_output=True, timeout=200)
+        done = subprocess.run(command, text=True, capture_output=True, timeout=850)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done
 

@@ -94,7 +94,9 @@ class Bench:
         usual = trials.QUICK_SPACINGS_M if self.args.quick else trials.SPACINGS_M
         spacings_m = self.args.spacing or usual
         seconds = self.args.seconds or (QUICK_SECONDS if self.args.quick else SECONDS)
-        return trials.of_round(self.vessels, self.motions, spacings_m, seconds, number)
+        return trials.of_round(
+            self.vessels, self.motions, spacings_m, seconds, number, self.args.quick
+        )
 
     def measure_round(self, number):
         """Results of a round."""

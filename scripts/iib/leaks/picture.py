@@ -36,6 +36,8 @@ def write(path, vessels, motions, total, pairs):
             if not tally:
                 continue
             text = f"{short(tally.particle_seconds)}\n{tally.through_wall:,} leaked"
+            if tally.particle_seconds == 0:
+                text = "no water left"
             dark = sum(face) < 1.7
             place.text(x, y, text, ha="center", va="center", color="white" if dark else "black")
     place.set_xlim(-0.5, len(motions) - 0.5)

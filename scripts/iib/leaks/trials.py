@@ -43,15 +43,18 @@ def names(program):
     return listed["vessels"], listed["motions"]
 
 
-def of_round(vessels, motions, spacings_m, seconds, number=0):
+def of_round(vessels, motions, spacings_m, seconds, number=0, in_boxes=False):
     """All vessels at each spacing. The quality, and whether an open vessel stands in a box, change
-    from trial to trial and from round to round, so six rounds have every combination."""
+    from trial to trial and from round to round, so six rounds have every combination.
+
+    in_boxes: every open vessel stands in one, so that each motion has water.
+    """
     found = []
     for v, vessel in enumerate(vessels):
         for s, spacing_m in enumerate(spacings_m):
             turn = v + s + number
             quality = QUALITIES[turn % len(QUALITIES)]
-            in_box = turn % 2 == 0 and vessel not in CLOSED
+            in_box = (in_boxes or turn % 2 == 0) and vessel not in CLOSED
             kept = tuple(m for m in motions if in_box or (vessel, m) != ONLY_IN_BOX)
             if kept:
                 found.append(
