@@ -29,6 +29,29 @@ std::string measureText(const char* key, double value) {
   return std::string(key) + " = " + numberText(value);
 }
 
+/// For scenes built in code: those of files have been checked when they were read.
+void requireSound(const Mesh& m) {
+  if (!m.triangles) {
+    throw InvalidInput("mesh " + m.name +
+                       " has no triangles; scenes read from a file read them from `file`, scenes "
+                       "built in code set `triangles`");
+  }
+  const std::vector<Vec3d>& vertices = m.triangles->vertices;
+  for (const Vec3d& vertex : vertices) {
+    for (int axis = 0; axis < 3; ++axis) {
+      requireInRange("a vertex of mesh " + m.name, vertex[axis], -kMaxCoordinate_m,
+                     kMaxCoordinate_m);
+    }
+  }
+  for (const auto& corners : m.triangles->triangles) {
+    for (const Index corner : corners) {
+      if (corner < vertices.size()) continue;
+      throw InvalidInput("a triangle of mesh " + m.name + " has corner " + std::to_string(corner) +
+                         " of " + std::to_string(vertices.size()));
+    }
+  }
+}
+
 /// Adds the edges of a single triangle and those at which the surface turns sharply.
 void addSharpEdges(const Surface& surface, ColliderMesh& mesh) {
   std::map<std::array<Index, 2>, std::vector<Index>> sides;
@@ -76,13 +99,13 @@ MeshShape<Real> makeShape(const Cup& c, double radius_m) {
 
 template <class Real>
 MeshShape<Real> makeShape(const Mesh& m, double radius_m) {
-  if (!m.triangles || m.triangles->triangles.empty()) {
-    throw InvalidInput("mesh " + m.name +
-                       " has no triangles; scenes read from a file read them "
-                       "from `file`, scenes built in code set `triangles`");
+  requireSound(m);
+  TriangleMesh triangles = welded(*m.triangles);
+  if (triangles.triangles.empty()) {
+    throw InvalidInput("mesh " + m.name + " has no triangle with an area");
   }
   MeshShape<Real> shape = shapeOf<Real>(
-      welded(*m.triangles), radius_m, "mesh " + m.name + " with " + measureText("scale", m.scale));
+      std::move(triangles), radius_m, "mesh " + m.name + " with " + measureText("scale", m.scale));
   shape.look = m.opacity < 1.0 ? Look::kGlass : Look::kObject;
   shape.vessel = true;
   return shape;

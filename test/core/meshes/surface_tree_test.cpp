@@ -161,6 +161,24 @@ TEST(SurfaceTest, IsAtLeastAsFarAsItSays) {
   EXPECT_GT(near, 5000);
 }
 
+TEST(SurfaceTest, MeshesMadeInCodeAreCheckedToo) {
+  const auto refusal = [](const std::function<void(TriangleMesh&)>& change) {
+    Scene scene;
+    TriangleMesh mesh = test::boxMesh(Vec3d::Zero(), Vec3d::Ones());
+    change(mesh);
+    scene.meshes.emplace_back().name = "cup";
+    scene.meshes[0].triangles = std::make_shared<const TriangleMesh>(mesh);
+    return test::refusalOf([&] { validate(scene); });
+  };
+  EXPECT_EQ(refusal([](TriangleMesh&) {}), "");
+  const auto says = [](const std::string& text, const char* part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  says(refusal([](TriangleMesh& m) { m.vertices[3].y() = std::nan(""); }), "a vertex of mesh cup");
+  says(refusal([](TriangleMesh& m) { m.triangles[3][1] = 99; }), "has corner 99 of 24");
+  says(refusal([](TriangleMesh& m) { m.triangles.clear(); }), "no triangle with an area");
+}
+
 TEST(SurfaceTest, ThatIsTooLargeForItsSpacingIsRefused) {
   const double size = 50.0;
   EXPECT_THROW(Surface(test::boxMesh(Vec3d::Zero(), Vec3d::Constant(size)), 0.005), InvalidInput);
