@@ -33,6 +33,8 @@ class DensityField {
         kernel_(kernel),
         blocks_(blocks),
         nearest_m_(kNearest_d * spacing_m),
+        blocks_beside_(
+            static_cast<int>(std::ceil(kernel.reach_m() / (BlockIndex::kBlock * blocks.edge_m())))),
         in_block_(blocks.inUse()),
         sample_kernel_(kernel) {
     for (const SurfaceSample& sample : samplesOf(surface, spacing_m)) {
@@ -45,8 +47,10 @@ class DensityField {
     SampleColumns found;
     const bool closed = surface_.topology().closed();
     const double far = radius_m + kernel_.reach_m();
-    for (int k = 0; k < 27; ++k) {
-      const BlockIndex::Node beside(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+    const int side = 2 * blocks_beside_ + 1;
+    for (int k = 0; k < side * side * side; ++k) {
+      const BlockIndex::Node beside =
+          BlockIndex::Node(k % side, k / side % side, k / (side * side)).array() - blocks_beside_;
       const Index other = blocks_.blockOf(blocks_.corner(block) + BlockIndex::kBlock * beside);
       if (other == BlockIndex::kAbsent) continue;
       for (const SurfaceSample& sample : in_block_[other]) {
@@ -88,6 +92,7 @@ class DensityField {
   const WallKernel& kernel_;
   const BlockIndex& blocks_;
   double nearest_m_;
+  int blocks_beside_;  ///< that hold samples which reach a block
   std::vector<std::vector<SurfaceSample>> in_block_;
   SampleKernel sample_kernel_;
 };

@@ -57,6 +57,26 @@ TEST(SurfaceDensityTest, AWideWallIsAFlatWallToEachSide) {
   }
 }
 
+/// Kernels reach as far as four spacings.
+TEST(SurfaceDensityTest, AWideWallIsAFlatWallToKernelsOfAnyWidth) {
+  for (const double support_d : {1.5, 3.0, 4.0}) {
+    Scene scene = test::sceneOfWalls();
+    scene.fluid.support_radius_m = support_d * d;
+    scene.planes.emplace_back();
+    const Colliders<double> plane(scene, d / 2);
+    const BoundaryDensity<double> exact(scene, plane, d * d * d);
+    scene.planes.clear();
+    scene.meshes.emplace_back().triangles =
+        std::make_shared<const TriangleMesh>(test::boxMesh({-0.5, -0.5, -0.3}, {0.5, 0.5, 0}, 2));
+    const Colliders<double> mesh(scene, d / 2);
+    const BoundaryDensity<double> sampled(scene, mesh, d * d * d);
+    for (double height = 0.5; height < support_d; height += 0.1) {
+      const Vec3d at(0.013, 0.027, height * d);
+      ASSERT_NEAR(sampled.at(at).value, exact.at(at).value, 2e-3) << support_d << ", " << height;
+    }
+  }
+}
+
 TEST(SurfaceDensityTest, ABoxOfTrianglesIsABox) {
   Scene scene = test::sceneOfWalls();
   Plane& plate = scene.planes.emplace_back();
