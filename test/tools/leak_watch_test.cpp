@@ -81,10 +81,18 @@ TEST(VesselMotionTest, ReachesItsSpeedAndNoMore) {
           rate, Eigen::AngleAxisd(last.rotation.transpose() * pose.rotation).angle() / step_s);
       last = pose;
     }
-    if (name == "shaken") EXPECT_NEAR(speed, 9.5, 0.6);
-    if (name == "tumbled") EXPECT_NEAR(rate, 19, 1.01);
-    if (name == "spun") EXPECT_NEAR(rate, 60, 0.1);
-    if (name == "teleported") EXPECT_NEAR(speed, 1000, 5);
+    if (name == "shaken") {
+      EXPECT_NEAR(speed, 9.5, 0.6);
+    }
+    if (name == "tumbled") {
+      EXPECT_NEAR(rate, 19, 1.01);
+    }
+    if (name == "spun") {
+      EXPECT_NEAR(rate, 60, 0.1);
+    }
+    if (name == "teleported") {
+      EXPECT_NEAR(speed, 1000, 5);
+    }
   }
 }
 

@@ -126,7 +126,8 @@ TEST(WettedSolidsTest, AnUprightBoxDeliversFluxTimesArea) { expectBoxDelivers({0
 TEST(WettedSolidsTest, ATurnedBoxDeliversFluxTimesArea) { expectBoxDelivers({20, 30, 40}); }
 
 template <class Solid>
-void expectRoundSolidDelivers(std::vector<Solid> Scene::*list, const Solid& solid, double area_m2) {
+void expectRoundSolidDelivers(std::vector<Solid> ColliderLists::*list, const Solid& solid,
+                              double area_m2) {
   Scene scene = warmScene();
   (scene.*list).push_back(withFlux(solid));
   (scene.*list)[0].name = "solid";
@@ -141,7 +142,7 @@ TEST(WettedSolidsTest, ACapsuleDeliversFluxTimesArea) {
   capsule.radius_m = 3 * kSpacing_m;
   capsule.length_m = 4 * kSpacing_m;
   capsule.rpy_deg = {0, 90, 0};
-  expectRoundSolidDelivers(&Scene::capsules, capsule,
+  expectRoundSolidDelivers(&ColliderLists::capsules, capsule,
                            2 * M_PI * capsule.radius_m * (capsule.length_m + 2 * capsule.radius_m));
 }
 
@@ -150,7 +151,7 @@ TEST(WettedSolidsTest, ACylinderDeliversFluxTimesArea) {
   cylinder.radius_m = 3 * kSpacing_m;
   cylinder.height_m = 6 * kSpacing_m;
   cylinder.rpy_deg = {0, 90, 0};
-  expectRoundSolidDelivers(&Scene::cylinders, cylinder,
+  expectRoundSolidDelivers(&ColliderLists::cylinders, cylinder,
                            2 * M_PI * cylinder.radius_m * (cylinder.height_m + cylinder.radius_m));
 }
 
