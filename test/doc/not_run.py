@@ -14,6 +14,7 @@ NOT_RUN = {
     "scripts/leaks --long": "takes hours",
     "scripts/verify": "takes minutes",
     "scripts/verify --fast *": "takes minutes",
+    "scripts/verify --case *_at_rest": "is a test of its own",
     "scripts/check/*": "takes minutes, and needs tools that the machine may lack",
     "*scripts/load/flood --scene small": "takes minutes",
     "scripts/load/carry": "takes minutes",
