@@ -40,9 +40,9 @@ LISTS = {
     "planes": "planes=[{name: plate, position_m: [0, 0, -5]}]",
     "spheres": "spheres=[{name: ball, position_m: [0, 0, -5]}]",
     "boxes": "boxes=[{name: box, position_m: [0, 0, -5]}]",
-    "cylinders": "cylinders=[{name: post, position_m: [0, 0, -5]}]",
-    "capsules": "capsules=[{name: pill, position_m: [0, 0, -5]}]",
-    "cups": "cups=[{name: cup, position_m: [0, 0, -5]}]",
+    "cylinders": "cylinders=[{name: post, position_m: [100, 100, -100]}]",
+    "capsules": "capsules=[{name: pill, position_m: [100, 100, -100]}]",
+    "cups": "cups=[{name: cup, position_m: [100, 100, -100]}]",
     "meshes": "meshes=[{name: mesh, file: block.obj, position_m: [0, 0, -5]}]",
 }
 
