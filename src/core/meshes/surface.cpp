@@ -1,6 +1,7 @@
 #include "meshes/surface.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "ice_ice_baby/errors.h"
 #include "meshes/mesh_curvature.h"
@@ -16,6 +17,12 @@ constexpr double kEdge_r = 0.5, kBand_r = 4.5;
 /// Blocks that a lattice around a surface may have, and area in squared spacings: their tables need
 /// 20 kB and a millisecond or two for each of these.
 constexpr double kMaxBlocks = 4e6, kMaxArea_d2 = 4e4;
+
+std::string shortText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
 
 double areaOf(const SurfaceTree& tree) {
   double area = 0.0;
@@ -33,8 +40,8 @@ void requireSmall(const SurfaceTree& tree, double radius_m) {
   }
   const Vec3d size = tree.bounds().sizes();
   throw InvalidInput(
-      "a surface of " + numberText(area) + " m2 in a box of " + numberText(size.x()) + " x " +
-      numberText(size.y()) + " x " + numberText(size.z()) + " m is too large for a spacing of " +
+      "a surface of " + shortText(area) + " m2 in a box of " + shortText(size.x()) + " x " +
+      shortText(size.y()) + " x " + shortText(size.z()) + " m is too large for a spacing of " +
       numberText(2 * radius_m) +
       " m; raise fluid.spacing_m, check the scale, or use boxes and planes for what is "
       "large and flat");

@@ -161,7 +161,8 @@ TEST_F(MeshFilesTest, DamagedFilesEndInAMessage) {
       std::string bytes = whole;
       if (k % 2 == 0) bytes.resize(std::size_t(random.uniform(0, double(bytes.size()))));
       for (int flip = 0; flip < k % 4 && !bytes.empty(); ++flip) {
-        bytes[std::size_t(random.uniform(0, double(bytes.size())))] = char(random.uniform(0, 256));
+        bytes[std::size_t(random.uniform(0, double(bytes.size())))] =
+            char(int(random.uniform(-128, 128)));
       }
       write("damaged." + extension, bytes);
       try {

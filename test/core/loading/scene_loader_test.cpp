@@ -292,7 +292,8 @@ INSTANTIATE_TEST_SUITE_P(Config, ShippedScene, testing::ValuesIn([] {
                            std::vector<std::string> paths;
                            for (const auto& entry : fs::recursive_directory_iterator(
                                     std::string(IIB_CONFIG) + "/scenes")) {
-                             if (entry.is_regular_file()) paths.push_back(entry.path().string());
+                             if (entry.path().extension() == ".yaml")
+                               paths.push_back(entry.path().string());
                            }
                            std::sort(paths.begin(), paths.end());
                            return paths;
