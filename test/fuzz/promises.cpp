@@ -50,8 +50,9 @@ void requireWhole(const Simulation& simulation, std::size_t particles) {
 }
 
 bool isSmall(const Scene& scene, std::int64_t particles) {
-  const std::size_t colliders =
-      scene.containers.size() + scene.planes.size() + scene.spheres.size();
+  std::size_t colliders = 0;
+  forEachColliderList(scene,
+                      [&](const auto& list, const ColliderKind&) { colliders += list.size(); });
   return particles <= kMaxParticles && colliders <= kMaxColliders &&
          scene.substeps() * std::max(1, scene.solver.iterations) <= kMaxSweeps;
 }
@@ -65,8 +66,22 @@ void runTwoFrames(Simulation& simulation) {
   }
 }
 
+/// Tables of the distance from round solids take seconds with sanitizers if they are large.
+void leaveOutLargeSurfaces(Scene& scene) {
+  const double most_m = 10 * scene.fluid.spacing_m;
+  const auto leaveOut = [&](auto& list, const auto& size_m) {
+    list.erase(std::remove_if(list.begin(), list.end(),
+                              [&](const auto& solid) { return size_m(solid) > most_m; }),
+               list.end());
+  };
+  leaveOut(scene.cylinders, [](const Cylinder& c) { return c.radius_m + c.height_m; });
+  leaveOut(scene.capsules, [](const Capsule& c) { return c.radius_m + c.length_m; });
+  leaveOut(scene.cups, [](const Cup& c) { return c.radius_m + c.depth_m + c.wall_m; });
+}
+
 void runIfSmall(Scene scene) {
   if (!isSmall(scene, particleCount(scene))) return;
+  leaveOutLargeSurfaces(scene);
   // Tables of the boundary density take a second with sanitizers; heat needs them for containers.
   scene.fluid.boundary_density = false;
   if (scene.thermal.enabled) scene.containers.clear();
