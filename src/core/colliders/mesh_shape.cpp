@@ -1,9 +1,8 @@
 #include "colliders/mesh_shape.h"
 
-#include <map>
-
 #include "ice_ice_baby/errors.h"
 #include "meshes/mesh_curvature.h"
+#include "meshes/mesh_edges.h"
 #include "meshes/mesh_topology.h"
 #include "meshes/solids_of_revolution.h"
 #include "meshes/surface_contact.h"
@@ -54,20 +53,13 @@ void requireSound(const Mesh& m) {
 
 /// Adds the edges of a single triangle and those at which the surface turns sharply.
 void addSharpEdges(const Surface& surface, ColliderMesh& mesh) {
-  std::map<std::array<Index, 2>, std::vector<Index>> sides;
-  for (Index k = 0; k < mesh.triangles.size(); ++k) {
-    const auto& t = mesh.triangles[k];
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Index a = t[c], b = t[(c + 1) % 3];
-      sides[{std::min(a, b), std::max(a, b)}].push_back(k);
-    }
-  }
   const double smooth = std::cos(kSharpEdge_deg * M_PI / 180);
   const auto normal = [&](Index k) { return surface.tree().triangle(k).normal().normalized(); };
-  for (const auto& [edge, beside] : sides) {
-    if (beside.size() == 2 && normal(beside[0]).dot(normal(beside[1])) > smooth) continue;
-    mesh.edges.push_back(edge);
-  }
+  forEachEdge(edgeSidesOf(surface.mesh()), [&](const EdgeSide* first, const EdgeSide* last) {
+    const bool between_two = last - first == 2;
+    if (between_two && normal(first[0].triangle).dot(normal(first[1].triangle)) > smooth) return;
+    mesh.edges.push_back({first->low, first->high});
+  });
 }
 
 }  // namespace

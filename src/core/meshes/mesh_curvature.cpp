@@ -3,21 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meshes/mesh_edges.h"
 #include "meshes/triangle.h"
 
 namespace ice_ice_baby {
 
 namespace {
-
-struct Side {
-  Index low, high, triangle;
-
-  bool operator<(const Side& other) const {
-    return low != other.low     ? low < other.low
-           : high != other.high ? high < other.high
-                                : triangle < other.triangle;
-  }
-};
 
 Triangle triangleOf(const TriangleMesh& mesh, Index k) {
   const auto& t = mesh.triangles[k];
@@ -34,26 +25,18 @@ double angleBetween(const Triangle& a, const Triangle& b) {
 }  // namespace
 
 std::vector<double> bendingOf(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
-  for (Index k = 0; k < mesh.triangles.size(); ++k) {
-    const auto& t = mesh.triangles[k];
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Index from = t[c], to = t[(c + 1) % 3];
-      sides.push_back({std::min(from, to), std::max(from, to), k});
-    }
-  }
-  std::sort(sides.begin(), sides.end());
   std::vector<double> bending(mesh.triangles.size(), 0.0);
-  for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
-    const Side &a = sides[k], &b = sides[k + 1];
-    if (a.low != b.low || a.high != b.high) continue;
-    const Triangle one = triangleOf(mesh, a.triangle), two = triangleOf(mesh, b.triangle);
-    const double angle = angleBetween(one, two);
-    if (std::abs(angle) > kSharpEdge_deg * M_PI / 180) continue;
-    const double turn = angle * (mesh.vertices[a.high] - mesh.vertices[a.low]).norm() / 2;
-    bending[a.triangle] += turn / one.area();
-    bending[b.triangle] += turn / two.area();
-  }
+  forEachEdge(edgeSidesOf(mesh), [&](const EdgeSide* first, const EdgeSide* last) {
+    for (const EdgeSide* side = first; side + 1 < last; ++side) {
+      const Index a = side[0].triangle, b = side[1].triangle;
+      const Triangle one = triangleOf(mesh, a), two = triangleOf(mesh, b);
+      const double angle = angleBetween(one, two);
+      if (std::abs(angle) > kSharpEdge_deg * M_PI / 180) continue;
+      const double turn = angle * (mesh.vertices[side->high] - mesh.vertices[side->low]).norm() / 2;
+      bending[a] += turn / one.area();
+      bending[b] += turn / two.area();
+    }
+  });
   return bending;
 }
 

@@ -1,45 +1,25 @@
 #include "meshes/mesh_topology.h"
 
 #include <algorithm>
-#include <map>
-#include <utility>
+
+#include "meshes/mesh_edges.h"
 
 namespace ice_ice_baby {
 
 MeshTopology topologyOf(const TriangleMesh& mesh) {
-  struct Use {
-    int forward = 0, backward = 0;
-  };
-  std::vector<std::array<Index, 3>> edges;  // lower vertex, higher vertex, whether it goes down
-  edges.reserve(3 * mesh.triangles.size());
   MeshTopology topology;
   for (const auto& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index from = t[k], to = t[(k + 1) % 3];
-      edges.push_back({std::min(from, to), std::max(from, to), from < to ? 0u : 1u});
-    }
     topology.volume_m3 +=
         mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6;
   }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t k = 0; k < edges.size();) {
-    Use use;
-    const std::size_t first = k;
-    for (; k < edges.size() && edges[k][0] == edges[first][0] && edges[k][1] == edges[first][1];
-         ++k) {
-      ++(edges[k][2] == 0 ? use.forward : use.backward);
-    }
-    if (use.forward == use.backward) continue;
+  forEachEdge(edgeSidesOf(mesh), [&](const EdgeSide* first, const EdgeSide* last) {
+    const auto backward = std::count_if(first, last, [](const EdgeSide& s) { return s.backward; });
+    if (2 * backward == last - first) return;
     if (topology.closed()) {
-      topology.first_fault_m =
-          (mesh.vertices[edges[first][0]] + mesh.vertices[edges[first][1]]) / 2;
+      topology.first_fault_m = (mesh.vertices[first->low] + mesh.vertices[first->high]) / 2;
     }
-    if (use.forward + use.backward == 1) {
-      ++topology.open_edges;
-    } else {
-      ++topology.mixed_edges;
-    }
-  }
+    ++(last - first == 1 ? topology.open_edges : topology.mixed_edges);
+  });
   return topology;
 }
 
