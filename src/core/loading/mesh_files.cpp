@@ -59,7 +59,10 @@ fs::path packageFile(const std::string& file) {
   }
   for (const fs::path& folder : packageFolders(package)) {
     std::error_code error;
-    if (fs::exists(folder / "package.xml", error)) return folder / rest.substr(slash + 1);
+    if (!fs::exists(folder / "package.xml", error)) continue;
+    const fs::path path = folder / rest.substr(slash + 1);
+    if (!fs::exists(path, error) || liesWithin(path.string(), folder.string())) return path;
+    throw InvalidInput("lies outside package " + shortened(package) + "; copy it there");
   }
   throw InvalidInput("names package " + shortened(package) +
                      ", which is in none of the folders of ROS_PACKAGE_PATH; source the setup.bash "

@@ -146,6 +146,18 @@ TEST_F(MeshFilesTest, OfASceneByNameStayInItsFolder) {
   EXPECT_SAYS(said, "lies outside the folder of the scene");
 }
 
+TEST_F(MeshFilesTest, OfAPackageStayInIt) {
+  fs::create_directories(folder_ / "cups" / "meshes");
+  std::ofstream(folder_ / "cups" / "package.xml") << "<package/>";
+  fs::copy(folder_ / "scenes" / "cube.obj", folder_ / "cups" / "meshes" / "cube.obj");
+  setenv("ROS_PACKAGE_PATH", folder_.c_str(), 1);
+  EXPECT_EQ(sceneWith("package://cups/meshes/cube.obj").meshes[0].file,
+            "package://cups/meshes/cube.obj");
+  const std::string said = refusal("package://cups/../scenes/cube.obj");
+  unsetenv("ROS_PACKAGE_PATH");
+  EXPECT_SAYS(said, "lies outside package cups");
+}
+
 TEST_F(MeshFilesTest, WaterInsideASolidMeshIsRefused) {
   EXPECT_SAYS(refusal("cube.obj", ", position_m: [3, 0, 0]"), "inside mesh cup (meshes.0)");
 }
