@@ -17,7 +17,7 @@ class Commands : public test::SuiteCase {};
 /// Alternates at 30 Hz between the two temperatures for two seconds, from the middle of a splash.
 void alternate(WatchedRun& run, double cold_c, double warm_c) {
   run.frames(25);
-  for (int half = 0; half < 120; ++half) {
+  for (int half = 0; half < test::repeats(120); ++half) {
     run->setTemperature(half % 2 == 0 ? cold_c : warm_c, 0.0);
     run.frame();
     EXPECT_LE(run->report().springs, 20 * run->report().particles);
@@ -45,13 +45,13 @@ TEST_F(Commands, GravityThatFlipsEveryFrame) {
   line(15, "Gravity that flips every frame, up to 10,000 m/s²", "contained");
   for (const char* scene : {"splash", "iceberg", "hail"}) {
     WatchedRun run(figures_, stabilityScene(scene));
-    for (int k = 0; k < 60; ++k) {
-      const double size = k < 30 ? 9.81 : 1e4;
+    for (int k = 0; k < test::repeats(60); ++k) {
+      const double size = k < test::repeats(30) ? 9.81 : 1e4;
       run->setGravity(Vec3d(0, 0, k % 2 == 0 ? size : -size));
       run.frame();
     }
     run->setGravity(Vec3d(0, 0, -9.81));
-    run.frames(30);
+    run.frames(test::repeats(30));
   }
 }
 
@@ -63,7 +63,7 @@ TEST_F(Commands, AContainerThatJumps) {
     const std::string name = run->scene().containers[0].name;
     Random random(5);
     run.frames(20);
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < test::repeats(12); ++k) {
       const Vec3d place = random.inBox(Vec3d::Constant(-50), Vec3d::Constant(50));
       const Vec3d turn = random.inBox(Vec3d::Constant(-180), Vec3d::Constant(180));
       run->moveCollider(name, poseOf(place, turn));
@@ -79,13 +79,13 @@ TEST_F(Commands, AContainerThatShakes) {
   for (const char* scene : {"splash", "iceberg", "hail"}) {
     WatchedRun run(figures_, stabilityScene(scene));
     const std::string name = run->scene().containers[0].name;
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < test::repeats(60); ++k) {
       run->moveCollider(name,
                         poseOf({k % 2 == 0 ? 0.1 : -0.1, 0, 0.05 * (k % 3)}, {0, 9.0 * k, 0}));
       run.frame();
     }
     Random random(61);
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < test::repeats(60); ++k) {
       Posed pose;
       pose.position = random.inBox(Vec3d::Constant(-0.2), Vec3d::Constant(0.2));
       pose.rotation = Eigen::AngleAxisd(random.uniform(-0.5, 0.5), random.direction()).matrix();
@@ -122,7 +122,7 @@ TEST_F(Commands, EverythingAtOnce) {
     WatchedRun run(figures_, stabilityScene(scene));
     const bool heat = run->scene().thermal.enabled;
     const std::string name = run->scene().containers[0].name;
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < test::repeats(60); ++k) {
       const double which = random.uniform(0, 4);
       if (which < 1) run->setGravity(random.direction() * std::pow(10.0, random.uniform(-3, 4)));
       if (which >= 1 && which < 2) {

@@ -91,7 +91,7 @@ TEST_F(Spawns, TooFullInCode) {
   full.containers[0].size_m = Vec3d::Constant(0.5);
   {
     WatchedRun run(figures_, unchecked(full, 1));
-    run.frames(15);
+    run.frames(test::repeats(15));
     EXPECT_GT(run.densityError(), 6.0);
   }
   Scene crowd = splashOf(std::vector<Block>(2, blockOf({-0.5, -0.5, 0}, {0.5, 0.5, 0.5})));

@@ -28,7 +28,7 @@ TEST(CrowdingTest, ATankTwentyTimesTooFullLosesNothingAtTenThousandMetresPerSeco
   scene.gravity_m_s2 = {0, 0, -1e4};
   const auto simulation = test::unchecked(scene, 1);
   const std::size_t particles = simulation->report().particles;
-  for (int frame = 0; frame < 30; ++frame) {
+  for (int frame = 0; frame < test::repeats(30); ++frame) {
     if (frame % 3 == 0) simulation->setGravity({0, 0, frame % 2 == 0 ? 1e4 : -1e4});
     simulation->advanceFrame();
     expectWhole(*simulation, particles);
@@ -50,7 +50,7 @@ TEST(CrowdingTest, AParticleAtTheCentreOfABallIsPutOnTopOfItAtRest) {
 
 TEST(CrowdingTest, CrossedContainersAndWedgesLoseNothingAndThrowNothing) {
   Random random(95);
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < test::repeats(12); ++round) {
     Scene scene = test::splash();
     scene.containers.push_back(test::tankOf({0.6, 0.6, 0.6}, true, "crossed"));
     scene.containers[1].position_m = random.inBox({-0.4, -0.2, -0.1}, {0.4, 0.2, 0.6});

@@ -157,7 +157,7 @@ TEST(IceInMotionTest, AHundredCyclesOfFrostAndThawLeaveEverythingAsItWas) {
   const double height = meanHeight(simulator.particles());
   const StepReport before = simulator.report();
   const double heat_j_kg = freezing_j_kg(scene.thermal);
-  for (int cycle = 0; cycle < 100; ++cycle) {
+  for (int cycle = 0; cycle < test::repeats(100); ++cycle) {
     heatAll(simulator, -heat_j_kg, 0.5);
     ASSERT_EQ(simulator.report().ice_particles, before.particles) << cycle;
     EXPECT_EQ(simulator.report().ice_bodies, 1u) << cycle;

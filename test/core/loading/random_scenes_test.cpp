@@ -15,7 +15,7 @@
 namespace ice_ice_baby {
 namespace random_scenes_test {
 
-constexpr int kScenes = 150;
+constexpr int kScenes = test::repeats(150);
 constexpr int kFrames = 3;
 constexpr double kShareDrawn = 0.25;  ///< of the keys; the others keep their default
 

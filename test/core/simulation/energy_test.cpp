@@ -61,7 +61,7 @@ Rises risesOf(const Scene& scene, double drop_m, int frames) {
 class SplashEnergyTest : public testing::TestWithParam<int> {};
 
 TEST_P(SplashEnergyTest, DoesNotRise) {
-  EXPECT_LT(risesOf(splash(GetParam()), 0.7, 120).total, 1e-4);
+  EXPECT_LT(risesOf(splash(GetParam()), 0.7, test::repeats(120)).total, 1e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Substeps, SplashEnergyTest, testing::Values(2, 4, 8, 24));
@@ -78,7 +78,7 @@ TEST(EnergyTest, ReboundComesFromEnergyStoredInPressure) {
 TEST(EnergyTest, FreezingInMidSplashAddsNone) {
   Scene scene = splash(8);
   scene.schedule = {{0.35, -5, 0.08}};
-  EXPECT_LT(risesOf(scene, 0.7, 120).total, 1e-3);
+  EXPECT_LT(risesOf(scene, 0.7, test::repeats(120)).total, 1e-3);
 }
 
 /// Springs that few iterations leave stretched turn their energy into speed later.

@@ -223,7 +223,7 @@ TEST_F(JumpsTest, RandomJumpsOfCollidersLoseNothingAndThrowNothing) {
   const auto simulation = rested(scene);
   double max_m_s = 0.0;
   Posed tank = posed({0, 0, 0});
-  for (int frame = 0; frame < 150; ++frame) {
+  for (int frame = 0; frame < test::repeats(150); ++frame) {
     if (frame % 5 == 0) {
       tank.position = random.uniform(0, 1) < 0.5 ? tank.position : Vec3d(50 * random.direction());
       tank.rotation =

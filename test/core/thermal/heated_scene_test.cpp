@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fixtures.h"
 #include "metrics/escape_meter.h"
 #include "thermal/kettle.h"
 #include "unchecked.h"
@@ -205,7 +206,7 @@ TEST(HeatedExtremesTest, NothingBecomesNotFiniteOrEscapes) {
     Scene scene = iceInKettle();
     change(scene);
     const auto simulation = test::unchecked(scene, 1);
-    run(*simulation, 90);
+    run(*simulation, test::repeats(90));
     std::vector<ParticleSample> samples;
     simulation->sample(samples);
     for (const ParticleSample& p : samples) {
