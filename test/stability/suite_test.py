@@ -12,7 +12,7 @@ import unittest.mock
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 from iib.common.paths import ROOT
 from iib.stability import cases, document, energy, long_runs, maps, pictures, results, verdict
-from iib.stability import cases_ice, cases_water  # noqa: F401  (they fill cases.CASES)
+from iib.stability import cases_ice, cases_starts, cases_water  # noqa: F401  (fill CASES)
 from iib.stability.map_list import MAPS, step_sets
 from iib.stability.ranges import parse
 

@@ -13,7 +13,7 @@ from iib.common.refusal import Refusal
 from iib.common.run_scene import find_run_scene
 from iib.stability import boundaries, cases, commands, document, energy, long_runs, maps, pictures
 from iib.stability import printed, summary
-from iib.stability import cases_ice, cases_water  # noqa: F401  (they fill cases.CASES)
+from iib.stability import cases_ice, cases_starts, cases_water  # noqa: F401  (fill CASES)
 from iib.stability.map_list import MAPS
 from iib.stability.ranges import ranges
 from iib.stability.results import Results

@@ -5,6 +5,8 @@ import typing
 
 import numpy as np
 
+from iib.common.checks import at_most
+
 
 @dataclasses.dataclass
 class Case:
@@ -34,3 +36,14 @@ def percent(ratio):
 
 def relative(measured, expected):
     return float(np.max(np.abs(measured - expected) / np.abs(expected)))
+
+
+def energy_rise(run):
+    """Highest total energy above the initial energy, relative to the largest part of it."""
+    total = run.series["total_energy_j"]
+    scale = max(
+        run.series["kinetic_energy_j"].max(), np.abs(run.series["potential_energy_j"]).max()
+    )
+    return at_most(
+        "energy above the initial energy", percent((total.max() - total[0]) / scale), 0.1, "%"
+    )

@@ -1,4 +1,4 @@
-"""Cases of water: free fall, rest, dams, the elliptical patch, impacts, sloshing."""
+"""Cases of water: free fall, rest, the elliptical patch, impacts, sloshing."""
 
 import math
 
@@ -6,20 +6,7 @@ import numpy as np
 
 from iib.known import answers as known
 from iib.common.checks import at_least, at_most, reported
-from iib.verification.cases import case, percent, relative
-
-INCH_M = 0.0254
-
-
-def energy_rise(run):
-    """Highest total energy above the initial energy, relative to the largest part of it."""
-    total = run.series["total_energy_j"]
-    scale = max(
-        run.series["kinetic_energy_j"].max(), np.abs(run.series["potential_energy_j"]).max()
-    )
-    return at_most(
-        "energy above the initial energy", percent((total.max() - total[0]) / scale), 0.1, "%"
-    )
+from iib.verification.cases import case, energy_rise, percent, relative
 
 
 def mean_height(run):
@@ -132,16 +119,6 @@ def deepest_column(run):
     return [pressure_error(end), *still(end, 1.0), energy_rise(end)]
 
 
-@case()
-def large_dam(run):
-    """a dam of 51,200 particles keeps the error that is promised"""
-    end = run("large_dam")
-    return [
-        at_most("mean density error", percent(end.series["density_error_mean"].mean()), 0.2, "%"),
-        energy_rise(end),
-    ]
-
-
 def minute_at_rest(end):
     height, time = end.series["mean_z_m"], end.series["time_s"]
     energy = end.series["total_energy_j"]
@@ -165,55 +142,6 @@ def hydrostatic_column_minute(run):
 def pool_at_rest(run):
     """a still pool stays still for 60 s"""
     return minute_at_rest(run("pool_at_rest"))
-
-
-def dam_front(run, scene, ratio, inches, experiments):
-    """Front x / a over T, leading particle's centre plus half a spacing, against each experiment
-    for T in 1.2 to 4.
-
-    In the experiment the membrane takes a while to give way, here nothing holds the water back. The
-    delay is taken from where the foot was just before the scored time, so that nothing that is
-    scored decides it.
-    """
-    end, width = run(scene), inches * INCH_M
-    time = known.martin_moyce_time(end.series["time_s"], width, ratio)
-    front = (end.series["max_x_m"] + 0.5 * end.spacing_m) / width
-    checks = []
-    for key in experiments:
-        measured_time, measured_front = np.array(known.MARTIN_MOYCE[key])
-        scored = (measured_time >= 1.2) & (measured_time <= 4.0)
-        last = np.flatnonzero(measured_time < 1.2)[-1]
-        delay = measured_time[last] - np.interp(measured_front[last], front, time)
-
-        def error(shift):
-            simulated = np.interp(measured_time[scored] - shift, time, front)
-            return percent(math.sqrt(np.mean((simulated / measured_front[scored] - 1) ** 2)))
-
-        name = f"front, a = {key[1]} in"
-        checks += [
-            at_most(f"{name}, RMS for T in 1.2 to 4", error(delay), 10.0, "%"),
-            reported(f"{name}, delay of the release in T", delay),
-            reported(f"{name}, RMS without that delay", error(0.0), "%"),
-        ]
-    return [*checks, energy_rise(end)]
-
-
-@case()
-def martin_moyce_tall(run):
-    """a dam twice as high as wide, 2.25 inches"""
-    return dam_front(run, "martin_moyce_tall", 2, 2.25, [(2, 2.25), (2, 1.125)])
-
-
-@case()
-def martin_moyce_tall_small(run):
-    """the same at half the size, 1.125 inches"""
-    return dam_front(run, "martin_moyce_tall_small", 2, 1.125, [(2, 1.125)])
-
-
-@case()
-def martin_moyce_square(run):
-    """a dam as high as wide, 2.25 inches"""
-    return dam_front(run, "martin_moyce_square", 1, 2.25, [(1, 2.25)])
 
 
 @case()

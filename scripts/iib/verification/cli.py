@@ -14,7 +14,13 @@ from iib.verification.cases import CASES
 from iib.verification.runs import Runner
 
 # Each of them adds its cases to CASES.
-from iib.verification import cases_heat, cases_ice, cases_rest, cases_water  # noqa: F401
+from iib.verification import (  # noqa: F401
+    cases_dams,
+    cases_heat,
+    cases_ice,
+    cases_rest,
+    cases_water,
+)
 
 DESCRIPTION = """Runs the cases with known answers and compares what comes out with bounds.
 

@@ -21,8 +21,19 @@ constexpr double kNearest_d = 1.75 * kEdge_d;
 /// In place of a coefficient of a node that is not close to the surface.
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// Nodes along the side of an eighth of a block, for which samples are sought together.
+/// Nodes along the side of a part, an eighth of a block, for which samples are sought together.
 constexpr int kPart = BlockIndex::kBlock / 2;
+
+/// Lowest nodes of the parts of a block, along each axis.
+BlockIndex::Node cornerOfPart(int part) {
+  return kPart * BlockIndex::Node(part & 1, part >> 1 & 1, part >> 2);
+}
+
+/// Part of its block in which a node lies.
+std::size_t partOf(const BlockIndex::Node& node) {
+  const auto upper = [&](int axis) { return node[axis] % BlockIndex::kBlock / kPart; };
+  return std::size_t(upper(0) + 2 * upper(1) + 4 * upper(2));
+}
 
 /// Density at a point near the surface.
 class DensityField {
@@ -33,27 +44,34 @@ class DensityField {
         kernel_(kernel),
         blocks_(blocks),
         nearest_m_(kNearest_d * spacing_m),
-        blocks_beside_(
-            static_cast<int>(std::ceil(kernel.reach_m() / (BlockIndex::kBlock * blocks.edge_m())))),
-        in_block_(blocks.inUse()),
+        part_m_(kPart * blocks.edge_m()),
+        parts_beside_(static_cast<int>(std::ceil(kernel.reach_m() / part_m_))),
+        in_part_(kParts * blocks.inUse()),
         sample_kernel_(kernel) {
     for (const SurfaceSample& sample : samplesOf(surface, spacing_m)) {
-      in_block_[blocks.blockOf(blocks.nearest(sample.point))].push_back(sample);
+      const BlockIndex::Node node = blocks.nearest(sample.point);
+      in_part_[kParts * blocks.blockOf(node) + partOf(node)].push_back(sample);
     }
   }
 
-  /// The samples that reach a ball within a block.
-  SampleColumns around(std::size_t block, const Vec3d& centre, double radius_m) const {
+  /// The samples that reach the nodes of a part.
+  /// @param low its lowest node
+  SampleColumns around(const BlockIndex::Node& low) const {
     SampleColumns found;
     const bool closed = surface_.topology().closed();
-    const double far = radius_m + kernel_.reach_m();
-    const int side = 2 * blocks_beside_ + 1;
+    const double half = (kPart - 1) * blocks_.edge_m() / 2;
+    const Vec3d centre = blocks_.place(low) + Vec3d::Constant(half);
+    const double far = std::sqrt(3.0) * half + kernel_.reach_m();
+    const double far_part = far + std::sqrt(3.0) * part_m_ / 2;
+    const int side = 2 * parts_beside_ + 1;
     for (int k = 0; k < side * side * side; ++k) {
       const BlockIndex::Node beside =
-          BlockIndex::Node(k % side, k / side % side, k / (side * side)).array() - blocks_beside_;
-      const Index other = blocks_.blockOf(blocks_.corner(block) + BlockIndex::kBlock * beside);
-      if (other == BlockIndex::kAbsent) continue;
-      for (const SurfaceSample& sample : in_block_[other]) {
+          BlockIndex::Node(k % side, k / side % side, k / (side * side)).array() - parts_beside_;
+      if ((part_m_ * beside.cast<double>()).norm() > far_part) continue;
+      const BlockIndex::Node node = low + kPart * beside;
+      const Index block = blocks_.blockOf(node);
+      if (block == BlockIndex::kAbsent) continue;
+      for (const SurfaceSample& sample : in_part_[kParts * block + partOf(node)]) {
         if ((sample.point - centre).squaredNorm() < far * far) found.add(sample, closed);
       }
     }
@@ -67,20 +85,30 @@ class DensityField {
     double coefficient = kFar;
   };
   Node at(const Vec3d& x, const SampleColumns& samples) const {
+    const double whole = 2 * kernel_.halfSpace(0.0);
+    const bool inside = surface_.encloses(x);
+    if (surface_.atLeast(x) >= kernel_.reach_m()) return {inside ? whole : 0.0, kFar};
     const SurfacePoint near = surface_.closest(x, kernel_.reach_m());
-    if (!near.found()) return {};
-    if (near.distance_m >= nearest_m_) return {density(x, samples), kFar};
+    if (!near.found()) return {inside ? whole : 0.0, kFar};
+    if (near.distance_m >= nearest_m_) {
+      // No centre of a particle is so deep in a solid: there, that of a flat wall will do.
+      if (inside) return {whole - kernel_.halfSpace(near.distance_m), kFar};
+      return {density(x, false, samples), kFar};
+    }
     const Vec3d away = near.distance_m > 0
                            ? Vec3d((x - near.point) / near.distance_m)
                            : surface_.tree().triangle(near.triangle).normal().normalized();
+    const Vec3d farther = near.point + nearest_m_ * away;
     const double share =
-        density(near.point + nearest_m_ * away, samples) / kernel_.halfSpace(nearest_m_);
+        density(farther, surface_.encloses(farther), samples) / kernel_.halfSpace(nearest_m_);
     return {share * kernel_.halfSpace(near.distance_m), share * flatCoefficient(near.distance_m)};
   }
 
  private:
-  double density(const Vec3d& x, const SampleColumns& samples) const {
-    return std::max(sample_kernel_.sum(x, surface_.encloses(x), samples), 0.0);
+  static constexpr std::size_t kParts = 8;
+
+  double density(const Vec3d& x, bool inside, const SampleColumns& samples) const {
+    return std::max(sample_kernel_.sum(x, inside, samples), 0.0);
   }
   /// Of the spline beside a flat wall: T - edge^2 T'' / 8, as in `interpolate`.
   double flatCoefficient(double distance_m) const {
@@ -92,8 +120,9 @@ class DensityField {
   const WallKernel& kernel_;
   const BlockIndex& blocks_;
   double nearest_m_;
-  int blocks_beside_;  ///< that hold samples which reach a block
-  std::vector<std::vector<SurfaceSample>> in_block_;
+  double part_m_;     ///< side of a part
+  int parts_beside_;  ///< that hold samples which reach a part
+  std::vector<std::vector<SurfaceSample>> in_part_;
   SampleKernel sample_kernel_;
 };
 
@@ -115,13 +144,9 @@ SurfaceDensity<Real>::SurfaceDensity(const Surface& surface, const WallKernel& k
   parallelFor(
       blocks_.inUse(),
       [&](std::size_t b) {
-        for (int octant = 0; octant < 8; ++octant) {
-          const BlockIndex::Node low =
-              kPart * BlockIndex::Node(octant & 1, octant >> 1 & 1, octant >> 2);
-          const Vec3d first = blocks_.place(blocks_.corner(b) + low);
-          const double half = (kPart - 1) * blocks_.edge_m() / 2;
-          const SampleColumns samples =
-              field.around(b, first + Vec3d::Constant(half), std::sqrt(3.0) * half);
+        for (int part = 0; part < 8; ++part) {
+          const BlockIndex::Node low = cornerOfPart(part);
+          const SampleColumns samples = field.around(blocks_.corner(b) + low);
           if (samples.empty()) continue;
           for (int n = 0; n < kPart * kPart * kPart; ++n) {
             const BlockIndex::Node node =

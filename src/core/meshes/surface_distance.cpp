@@ -21,6 +21,8 @@ SurfaceDistance::SurfaceDistance(const SurfaceTree& tree, bool closed, double ed
       [&](std::size_t k) {
         const BlockIndex::Node corner = blocks_.corner(k);
         Index hint = kNone;
+        bool inside = false;
+        double clear_m = 0.0;  // around the previous node
         for (int n = 0; n < int(BlockIndex::kNodes); ++n) {
           constexpr int b = BlockIndex::kBlock;
           const BlockIndex::Node node = corner + BlockIndex::Node(n % b, n / b % b, n / (b * b));
@@ -28,7 +30,11 @@ SurfaceDistance::SurfaceDistance(const SurfaceTree& tree, bool closed, double ed
           hint = near.triangle;
           const std::size_t at = k * BlockIndex::kNodes + std::size_t(n);
           if (near.found()) distances_[at] = static_cast<float>(near.distance_m);
-          if (closed && tree.encloses(blocks_.place(node))) distances_[at] = -distances_[at];
+          // No surface lies between nodes that are closer to each other than to the surface.
+          const bool follows = n % b > 0 && clear_m > blocks_.edge_m();
+          if (closed && !follows) inside = tree.encloses(blocks_.place(node));
+          clear_m = distances_[at];
+          if (inside) distances_[at] = -distances_[at];
           closest_[at] = near.triangle;
         }
       },
