@@ -28,6 +28,7 @@ struct Block {
   bool carve = false;                   ///< leaves out particles that would touch a collider
   Vec3d copies = Vec3d::Ones();         ///< along x, y, z; expanded to blocks when read
   Vec3d copies_step_m = Vec3d::Zero();  ///< from one copy to the next
+  std::string frame;  ///< collider in whose frame the block is given; "" once a scene is read
 
   Vec3d centre_m() const { return (min_m + max_m) / 2; }
 

@@ -36,6 +36,8 @@ void describe(Block& b, Visitor&& visit) {
         "number of copies along x, y, z: whole numbers, at most 1000 in total");
   visit("copies_step_m", b.copies_step_m, kCoordinateRange_m,
         "distance between copies along each axis");
+  visit("frame", b.frame,
+        "collider in whose frame the block and its velocities are given; \"\": that of the scene");
 }
 
 template <class Visitor>

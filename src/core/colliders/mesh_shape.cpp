@@ -17,7 +17,7 @@ MeshShape<Real> shapeOf(TriangleMesh mesh, double radius_m, const std::string& w
   MeshShape<Real> shape;
   shape.radius = static_cast<Real>(radius_m);
   try {
-    shape.triangles = std::make_shared<const Surface>(std::move(mesh), radius_m);
+    shape.triangles = Surface::shared(std::move(mesh), radius_m);
   } catch (const InvalidInput& e) {
     throw InvalidInput(what + ": " + e.what());
   }

@@ -57,7 +57,7 @@ void BoundaryDensity<Real>::buildTables(const RestLattice& lattice) {
     if (const Surface* surface = collider.shape.triangleSurface()) {
       table_of_.back() = triangles_.size();
       triangles_.push_back(
-          {surface, SurfaceDensity<Real>(*surface, wallKernel(), 2 * double(radius_))});
+          {surface, SurfaceDensity<Real>::shared(*surface, wallKernel(), 2 * double(radius_))});
     }
     if (collider.shape.flat()) continue;
     const Real radius = collider.shape.curvatureRadius();
@@ -182,7 +182,7 @@ WallSample<Real> BoundaryDensity<Real>::ofTriangles(std::size_t collider, const 
   const Pose<Real>& pose = colliders_[collider].motion.to;
   const Vec3<Real> local = pose.toLocal(point);
   const Triangles& triangles = triangles_[table_of_[collider]];
-  WallSample<Real> sample = triangles.density.at(local);
+  WallSample<Real> sample = triangles.density->at(local);
   if (sample.value == 0) return sample;
   sample.gradient = pose.rotation * sample.gradient;
   if (seen.alone) return sample;
@@ -228,7 +228,7 @@ std::size_t BoundaryDensity<Real>::bytes() const {
   if (container_) total += container_->bytes();
   if (box_) total += box_->bytes();
   if (overlap_) total += overlap_->bytes();
-  for (const Triangles& one : triangles_) total += one.density.bytes();
+  for (const Triangles& one : triangles_) total += one.density->bytes();
   for (const Ball& ball : balls_) total += ball.table.bytes();
   return total;
 }

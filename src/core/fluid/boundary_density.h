@@ -45,7 +45,7 @@ class BoundaryDensity {
   };
   struct Triangles {
     const Surface* surface;
-    SurfaceDensity<Real> density;
+    std::shared_ptr<const SurfaceDensity<Real>> density;
   };
   void sortColliders();
   void buildTables(const RestLattice& lattice);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "base/recent_results.h"
 #include "fluid/sample_sum.h"
 
 namespace ice_ice_baby {
@@ -126,7 +127,38 @@ class DensityField {
   SampleKernel sample_kernel_;
 };
 
+/// Memory of densities that may be kept after their scene.
+constexpr std::size_t kKept_bytes = 256 << 20;
+
+/// A density and what it was computed from.
+template <class Real>
+struct KeptDensity {
+  std::shared_ptr<const Surface> surface;
+  WallKernel kernel;
+  double spacing_m;
+  SurfaceDensity<Real> density;
+
+  std::size_t bytes() const { return density.bytes(); }
+};
+
 }  // namespace
+
+template <class Real>
+std::shared_ptr<const SurfaceDensity<Real>> SurfaceDensity<Real>::shared(const Surface& surface,
+                                                                         const WallKernel& kernel,
+                                                                         double spacing_m) {
+  using Kept = KeptDensity<Real>;
+  static RecentResults<Kept> kept(kKept_bytes);
+  const std::shared_ptr<const Kept> found = kept.find(
+      [&](const Kept& one) {
+        return one.surface.get() == &surface && one.spacing_m == spacing_m && one.kernel == kernel;
+      },
+      [&] {
+        return std::make_shared<const Kept>(Kept{surface.shared_from_this(), kernel, spacing_m,
+                                                 SurfaceDensity(surface, kernel, spacing_m)});
+      });
+  return {found, &found->density};
+}
 
 template <class Real>
 SurfaceDensity<Real>::SurfaceDensity(const Surface& surface, const WallKernel& kernel,

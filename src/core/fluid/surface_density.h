@@ -1,6 +1,7 @@
 // Density that a surface of triangles adds to particles beside it.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "fluid/wall_kernel.h"
@@ -16,6 +17,10 @@ namespace ice_ice_baby {
 template <class Real>
 class SurfaceDensity {
  public:
+  /// Of a surface that is shared itself, the density of an earlier scene if it is kept.
+  static std::shared_ptr<const SurfaceDensity> shared(const Surface& surface,
+                                                      const WallKernel& kernel, double spacing_m);
+
   SurfaceDensity(const Surface& surface, const WallKernel& kernel, double spacing_m);
 
   /// @param point in the frame of the surface

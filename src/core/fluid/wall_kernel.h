@@ -16,6 +16,9 @@ class WallKernel {
   WallKernel(const std::function<double(double)>& half_space, double reach_m);
 
   double reach_m() const { return reach_m_; }
+  bool operator==(const WallKernel& other) const {
+    return reach_m_ == other.reach_m_ && half_space_ == other.half_space_;
+  }
   /// T(s); T(0) for s < 0.
   double halfSpace(double distance_m) const { return at(half_space_, distance_m); }
   /// T'(s), 1/m.

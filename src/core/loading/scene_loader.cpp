@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "ice_ice_baby/errors.h"
+#include "loading/block_frames.h"
 #include "loading/mesh_files.h"
 #include "loading/scene_files.h"
 #include "loading/scene_reader.h"
@@ -115,6 +116,7 @@ Scene loadScene(const std::string& name_or_path, const std::vector<Override>& ov
 }
 
 void completeScene(Scene& scene) {
+  placeInFrames(scene);
   findMeshFiles(scene, "", false);
   readMeshFiles(scene);
   validate(scene);

@@ -5,6 +5,7 @@
 
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_keys.h"
+#include "loading/block_frames.h"
 #include "loading/mesh_files.h"
 #include "loading/renamed_keys.h"
 
@@ -225,6 +226,7 @@ Scene readScene(const YAML::Node& tree, const SceneHome& home) {
     read(tree, "", scene);
     nameColliders(scene);
     expandCopies(scene);
+    placeInFrames(scene);
     findMeshFiles(scene, home.folder, home.confined);
     readMeshFiles(scene);
     validate(scene);

@@ -118,6 +118,10 @@ void requireOneGoal(const Scene& scene) {
 }
 
 void requireBlock(const Scene& scene, const Block& block, const std::string& name) {
+  if (!block.frame.empty()) {
+    throw InvalidInput(name + ".frame = " + shortened(block.frame) +
+                       " is not placed yet; call completeScene");
+  }
   if (block.sheet && block.shape != BlockShape::kBox) {
     throw InvalidInput(name +
                        ": a sheet is a box one particle thick; set shape to box, or sheet "

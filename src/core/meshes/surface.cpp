@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/recent_results.h"
 #include "ice_ice_baby/errors.h"
 #include "meshes/mesh_curvature.h"
 
@@ -13,6 +14,9 @@ namespace {
 /// Nodes of the distances and their reach, in particle radii. Nothing asks for more than the
 /// support radius, in most scenes four radii.
 constexpr double kEdge_r = 0.5, kBand_r = 4.5;
+
+/// Memory of surfaces that may be kept after their scene.
+constexpr std::size_t kKept_bytes = 256 << 20;
 
 /// Blocks that a lattice around a surface may have, and area in squared spacings: their tables need
 /// 20 kB and a millisecond or two for each of these.
@@ -47,7 +51,18 @@ void requireSmall(const SurfaceTree& tree, double radius_m) {
       "large and flat");
 }
 
+bool same(const TriangleMesh& a, const TriangleMesh& b) {
+  return a.triangles == b.triangles && a.vertices == b.vertices;
+}
+
 }  // namespace
+
+std::shared_ptr<const Surface> Surface::shared(TriangleMesh mesh, double radius_m) {
+  static RecentResults<Surface> kept(kKept_bytes);
+  return kept.find(
+      [&](const Surface& one) { return one.radius_m() == radius_m && same(one.mesh(), mesh); },
+      [&] { return std::make_shared<const Surface>(std::move(mesh), radius_m); });
+}
 
 Surface::Surface(TriangleMesh mesh, double radius_m)
     : mesh_(std::move(mesh)),

@@ -11,8 +11,11 @@
 namespace ice_ice_baby {
 
 /// Immutable, so that all who need it share one.
-class Surface {
+class Surface : public std::enable_shared_from_this<Surface> {
  public:
+  /// The surface of these triangles, one of an earlier scene if it is kept. Errors as below.
+  static std::shared_ptr<const Surface> shared(TriangleMesh mesh, double radius_m);
+
   /// @param mesh not empty, without triangles that have no area
   /// @param radius_m of a particle; 0: only answers where things are, and never fast
   /// @throws InvalidInput if it is too large for the spacing
