@@ -19,6 +19,9 @@ constexpr double kEdge_d = 0.25;
 /// the samples are too far apart for them, and beyond the surface stand nodes of its other side.
 constexpr double kNearest_d = 1.75 * kEdge_d;
 
+/// From here on, in spacings, the coarse samples are close enough to each other.
+constexpr double kCoarse_d = 0.8;
+
 /// In place of a coefficient of a node that is not close to the surface.
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
@@ -45,24 +48,76 @@ class DensityField {
         kernel_(kernel),
         blocks_(blocks),
         nearest_m_(kNearest_d * spacing_m),
+        coarse_m_(kCoarse_d * spacing_m),
         part_m_(kPart * blocks.edge_m()),
         parts_beside_(static_cast<int>(std::ceil(kernel.reach_m() / part_m_))),
-        in_part_(kParts * blocks.inUse()),
+        coarse_(kParts * blocks.inUse()),
+        fine_(kParts * blocks.inUse()),
         sample_kernel_(kernel) {
-    for (const SurfaceSample& sample : samplesOf(surface, spacing_m)) {
-      const BlockIndex::Node node = blocks.nearest(sample.point);
-      in_part_[kParts * blocks.blockOf(node) + partOf(node)].push_back(sample);
+    const SurfaceSamples samples = samplesOf(surface, spacing_m);
+    sort(samples.coarse, coarse_);
+    sort(samples.fine, fine_);
+  }
+
+  /// The samples that reach the nodes of a part; the fine ones only if a node may need them.
+  struct Samples {
+    SampleColumns coarse, fine;
+  };
+  /// @param low the lowest node of the part
+  Samples around(const BlockIndex::Node& low) const {
+    const double half = (kPart - 1) * blocks_.edge_m() / 2;
+    const Vec3d centre = blocks_.place(low) + Vec3d::Constant(half);
+    const double half_diagonal = std::sqrt(3.0) * half;
+    Samples found{around(low, centre, half_diagonal, coarse_), {}};
+    if (surface_.atLeast(centre) < coarse_m_ + half_diagonal) {
+      found.fine = around(low, centre, half_diagonal, fine_);
+    }
+    return found;
+  }
+
+  /// The density at a node, and the coefficient of the spline if it is close to the surface.
+  struct Node {
+    double value = 0.0;
+    double coefficient = kFar;
+  };
+  Node at(const Vec3d& x, const Samples& samples) const {
+    const double whole = 2 * kernel_.halfSpace(0.0);
+    const bool inside = surface_.encloses(x);
+    if (surface_.atLeast(x) >= kernel_.reach_m()) return {inside ? whole : 0.0, kFar};
+    const SurfacePoint near = surface_.closest(x, kernel_.reach_m());
+    if (!near.found()) return {inside ? whole : 0.0, kFar};
+    if (near.distance_m >= nearest_m_) {
+      // No centre of a particle is so deep in a solid: there, that of a flat wall will do.
+      if (inside) return {whole - kernel_.halfSpace(near.distance_m), kFar};
+      const bool far = near.distance_m >= coarse_m_;
+      return {density(x, false, far ? samples.coarse : samples.fine), kFar};
+    }
+    const Vec3d away = near.distance_m > 0
+                           ? Vec3d((x - near.point) / near.distance_m)
+                           : surface_.tree().triangle(near.triangle).normal().normalized();
+    const Vec3d farther = near.point + nearest_m_ * away;
+    const double share =
+        density(farther, surface_.encloses(farther), samples.fine) / kernel_.halfSpace(nearest_m_);
+    return {share * kernel_.halfSpace(near.distance_m), share * flatCoefficient(near.distance_m)};
+  }
+
+ private:
+  static constexpr std::size_t kParts = 8;
+
+  using Sorted = std::vector<std::vector<SurfaceSample>>;  ///< by the part in which they lie
+
+  void sort(const std::vector<SurfaceSample>& samples, Sorted& sorted) const {
+    for (const SurfaceSample& sample : samples) {
+      const BlockIndex::Node node = blocks_.nearest(sample.point);
+      sorted[kParts * blocks_.blockOf(node) + partOf(node)].push_back(sample);
     }
   }
 
-  /// The samples that reach the nodes of a part.
-  /// @param low its lowest node
-  SampleColumns around(const BlockIndex::Node& low) const {
+  SampleColumns around(const BlockIndex::Node& low, const Vec3d& centre, double half_diagonal,
+                       const Sorted& sorted) const {
     SampleColumns found;
     const bool closed = surface_.topology().closed();
-    const double half = (kPart - 1) * blocks_.edge_m() / 2;
-    const Vec3d centre = blocks_.place(low) + Vec3d::Constant(half);
-    const double far = std::sqrt(3.0) * half + kernel_.reach_m();
+    const double far = half_diagonal + kernel_.reach_m();
     const double far_part = far + std::sqrt(3.0) * part_m_ / 2;
     const int side = 2 * parts_beside_ + 1;
     for (int k = 0; k < side * side * side; ++k) {
@@ -72,41 +127,13 @@ class DensityField {
       const BlockIndex::Node node = low + kPart * beside;
       const Index block = blocks_.blockOf(node);
       if (block == BlockIndex::kAbsent) continue;
-      for (const SurfaceSample& sample : in_part_[kParts * block + partOf(node)]) {
+      for (const SurfaceSample& sample : sorted[kParts * block + partOf(node)]) {
         if ((sample.point - centre).squaredNorm() < far * far) found.add(sample, closed);
       }
     }
     found.pad();
     return found;
   }
-
-  /// The density at a node, and the coefficient of the spline if it is close to the surface.
-  struct Node {
-    double value = 0.0;
-    double coefficient = kFar;
-  };
-  Node at(const Vec3d& x, const SampleColumns& samples) const {
-    const double whole = 2 * kernel_.halfSpace(0.0);
-    const bool inside = surface_.encloses(x);
-    if (surface_.atLeast(x) >= kernel_.reach_m()) return {inside ? whole : 0.0, kFar};
-    const SurfacePoint near = surface_.closest(x, kernel_.reach_m());
-    if (!near.found()) return {inside ? whole : 0.0, kFar};
-    if (near.distance_m >= nearest_m_) {
-      // No centre of a particle is so deep in a solid: there, that of a flat wall will do.
-      if (inside) return {whole - kernel_.halfSpace(near.distance_m), kFar};
-      return {density(x, false, samples), kFar};
-    }
-    const Vec3d away = near.distance_m > 0
-                           ? Vec3d((x - near.point) / near.distance_m)
-                           : surface_.tree().triangle(near.triangle).normal().normalized();
-    const Vec3d farther = near.point + nearest_m_ * away;
-    const double share =
-        density(farther, surface_.encloses(farther), samples) / kernel_.halfSpace(nearest_m_);
-    return {share * kernel_.halfSpace(near.distance_m), share * flatCoefficient(near.distance_m)};
-  }
-
- private:
-  static constexpr std::size_t kParts = 8;
 
   double density(const Vec3d& x, bool inside, const SampleColumns& samples) const {
     return std::max(sample_kernel_.sum(x, inside, samples), 0.0);
@@ -121,9 +148,10 @@ class DensityField {
   const WallKernel& kernel_;
   const BlockIndex& blocks_;
   double nearest_m_;
+  double coarse_m_;
   double part_m_;     ///< side of a part
   int parts_beside_;  ///< that hold samples which reach a part
-  std::vector<std::vector<SurfaceSample>> in_part_;
+  Sorted coarse_, fine_;
   SampleKernel sample_kernel_;
 };
 
@@ -178,8 +206,8 @@ SurfaceDensity<Real>::SurfaceDensity(const Surface& surface, const WallKernel& k
       [&](std::size_t b) {
         for (int part = 0; part < 8; ++part) {
           const BlockIndex::Node low = cornerOfPart(part);
-          const SampleColumns samples = field.around(blocks_.corner(b) + low);
-          if (samples.empty()) continue;
+          const auto samples = field.around(blocks_.corner(b) + low);
+          if (samples.coarse.empty()) continue;
           for (int n = 0; n < kPart * kPart * kPart; ++n) {
             const BlockIndex::Node node =
                 low + BlockIndex::Node(n % kPart, n / kPart % kPart, n / (kPart * kPart));

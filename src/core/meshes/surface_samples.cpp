@@ -10,10 +10,9 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Longest side of the piece of a triangle that one sample stands for, in spacings.
-constexpr double kSide_d = 0.25;
-/// Longest side of the pieces for which opacity is measured, in spacings.
-constexpr double kMeasured_d = 0.5;
+/// Longest side of the pieces of triangles that a sample stands for, in spacings. Opacity is
+/// measured for the coarse ones.
+constexpr double kCoarse_d = 0.5, kFine_d = 0.25;
 
 /// A wall with a thickness between these, in spacings, is partly thin. Particles on both sides of a
 /// thicker one are out of reach of each other.
@@ -94,23 +93,23 @@ void measure(const Surface& surface, double spacing_m, SurfaceSample& sample) {
 
 }  // namespace
 
-std::vector<SurfaceSample> samplesOf(const Surface& surface, double spacing_m) {
+SurfaceSamples samplesOf(const Surface& surface, double spacing_m) {
   const SurfaceTree& tree = surface.tree();
   const double facing = surface.topology().volume_m3 < 0 ? -1.0 : 1.0;
   std::vector<Triangle> pieces;
-  std::vector<SurfaceSample> measured;
+  SurfaceSamples samples;
   for (Index k = 0; k < tree.count(); ++k) {
-    divide(tree.triangle(k), kMeasured_d * spacing_m, [&](const Triangle& piece) {
+    divide(tree.triangle(k), kCoarse_d * spacing_m, [&](const Triangle& piece) {
       pieces.push_back(piece);
-      measured.push_back(
-          {piece.centre(), facing * piece.normal().normalized(), 0.0, 0.0, false, false});
+      samples.coarse.push_back(
+          {piece.centre(), facing * piece.normal().normalized(), piece.area(), 0.0, false, false});
     });
   }
-  parallelFor(measured.size(), [&](std::size_t k) { measure(surface, spacing_m, measured[k]); });
-  std::vector<SurfaceSample> samples;
+  parallelFor(pieces.size(),
+              [&](std::size_t k) { measure(surface, spacing_m, samples.coarse[k]); });
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    divide(pieces[k], kSide_d * spacing_m, [&](const Triangle& piece) {
-      SurfaceSample& sample = samples.emplace_back(measured[k]);
+    divide(pieces[k], kFine_d * spacing_m, [&](const Triangle& piece) {
+      SurfaceSample& sample = samples.fine.emplace_back(samples.coarse[k]);
       sample.point = piece.centre();
       sample.area_m2 = piece.area();
     });

@@ -20,7 +20,13 @@ struct SurfaceSample {
   bool covered_ahead, covered_behind;
 };
 
+/// The same surface twice.
+struct SurfaceSamples {
+  std::vector<SurfaceSample> coarse;  ///< each for a piece of at most half a spacing
+  std::vector<SurfaceSample> fine;    ///< each for a piece of at most a quarter
+};
+
 /// @param spacing_m particle spacing; thinner walls are thin
-std::vector<SurfaceSample> samplesOf(const Surface& surface, double spacing_m);
+SurfaceSamples samplesOf(const Surface& surface, double spacing_m);
 
 }  // namespace ice_ice_baby
