@@ -22,11 +22,30 @@ die() {
 # Prints the comment block at the head of a script as its help.
 show_help() { sed -n '2,/^$/{s/^# \{0,1\}//p}' "$1"; }
 
-# Runs a command quietly; its output is shown only if it fails.
+# On a terminal: the last line of a growing log, once a second, as long as this script runs.
+follow_log() {
+  local line
+  while kill -0 $$ 2>/dev/null && sleep 1; do
+    line="$(tail -c 400 "$1" 2>/dev/null | tr '\r' '\n' | tail -n 1 | tr -cd '[:print:]')"
+    if [[ -n "$line" ]]; then printf '\r\033[K    %.72s' "$line"; fi # else sudo may be asking for a password
+  done
+}
+
+# Runs a command and shows how far it is, if this is a terminal; its output is shown only if it fails.
 quietly() {
-  local log
+  local log watcher="" failed=false
   log="$(mktemp)"
-  if ! "$@" >"$log" 2>&1; then
+  if [[ -t 1 ]]; then
+    follow_log "$log" &
+    watcher=$!
+  fi
+  "$@" >"$log" 2>&1 || failed=true
+  if [[ -n "$watcher" ]]; then
+    kill "$watcher" 2>/dev/null || true
+    wait "$watcher" 2>/dev/null || true
+    printf '\r\033[K'
+  fi
+  if $failed; then
     tail -n 60 "$log" >&2
     rm -f "$log"
     die "failed: $*"

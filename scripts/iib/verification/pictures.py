@@ -3,6 +3,8 @@
 import numpy as np
 
 from iib.known import answers as known
+from iib.known import spheric_2
+from iib.verification.cases_dams import level_m
 
 
 def figure(columns, width_in=9.0, height_in=3.6):
@@ -93,7 +95,24 @@ def column(run, path):
     save(drawing, path)
 
 
+def levels(run, path):
+    """Water levels of SPHERIC benchmark 2 at two spacings, and the experiment."""
+    drawing, places = figure(4, width_in=12, height_in=2.8)
+    for spacing_m in (0.05, 0.025):
+        end = run("spheric_2", positions=True, sets=[f"fluid.spacing_m={spacing_m}"])
+        for place, gauge in zip(places, spheric_2.GAUGES):
+            time, level = end.series["time_s"], level_m(end, gauge)
+            place.plot(time, level, lw=0.9, label=f"{100 * spacing_m:g} cm")
+    for place, gauge in zip(places, spheric_2.GAUGES):
+        place.plot(spheric_2.TIME_S, gauge.level_m, "ko", ms=3, mfc="none", label="measured")
+        place.set(title=gauge.name, xlabel="s", ylim=(0, 0.6))
+    places[0].set(ylabel="level, m")
+    places[0].legend()
+    save(drawing, path)
+
+
 PICTURES = {
+    "verification_spheric_2.png": levels,
     "verification_dams.png": dams,
     "verification_patch.png": patch,
     "verification_column.png": column,
