@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fixtures.h"
+#include "particles/kernels.h"
 
 namespace ice_ice_baby {
 namespace density_constraint_test {
