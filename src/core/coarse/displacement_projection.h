@@ -75,6 +75,8 @@ class DisplacementProjection {
   void findShares();
   bool atSurface(std::size_t sorted) const;
   void levelPressure(const Vec3<Real>& gravity, Real dt);
+  Real excessAt(Index i) const;
+  void levelBodies(Particles<Real>& particles, const IceBodies<Real>& bodies, Real fall_m) const;
   Vec3<Real> withoutPull(Vec3<Real> push, const Vec3<Real>& flight, std::size_t k,
                          const ObliqueHold<Real>* oblique) const;
   void moveParticle(Particles<Real>& particles, const CoarseRegion<Real>& region, std::size_t k,
@@ -108,6 +110,7 @@ class DisplacementProjection {
   std::vector<Real> scratch_;
   std::vector<Real> share_;  ///< (nodes) of the room around a node that is filled
   std::vector<std::array<double, 2>> surface_;  ///< (grids) sum of pressures at the surface, count
+  std::vector<Real> left_;                      ///< (grids) what is left at the surface, 0 or less
 };
 
 }  // namespace ice_ice_baby
