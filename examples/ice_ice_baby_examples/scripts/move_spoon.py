@@ -7,19 +7,28 @@ import tf2_ros
 from geometry_msgs.msg import TransformStamped
 
 
-def move_spoon(event):
+def pose(time):
     spoon = TransformStamped()
-    spoon.header.stamp = event.current_real
+    spoon.header.stamp = time
     spoon.header.frame_id, spoon.child_frame_id = "world", "spoon"
-    angle = 4 * event.current_real.to_sec()
+    angle = 4 * time.to_sec()
     spoon.transform.translation.x = 0.12 * math.cos(angle)
     spoon.transform.translation.y = 0.12 * math.sin(angle)
     spoon.transform.translation.z = 0.2
     spoon.transform.rotation.w = 1
-    broadcaster.sendTransform(spoon)
+    return spoon
 
 
-rospy.init_node("move_spoon")
-broadcaster = tf2_ros.TransformBroadcaster()
-rospy.Timer(rospy.Duration(0.02), move_spoon)
-rospy.spin()
+def main():
+    rospy.init_node("move_spoon")
+    broadcaster, rate = tf2_ros.TransformBroadcaster(), rospy.Rate(50)
+    while not rospy.is_shutdown():
+        broadcaster.sendTransform(pose(rospy.Time.now()))
+        rate.sleep()
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except rospy.ROSException:  # Ctrl-C
+        pass
