@@ -125,7 +125,7 @@ def stefan_order(run):
 
 @case()
 def insulated_splash(run):
-    """ice splashes into water that nothing heats: some freezes, all melts, the heat stays"""
+    """ice splashes into water that nothing heats: some freezes, some melts, the heat stays"""
     checks = []
     for precision, bound in (("float", 1e-6), ("double", 1e-10)):
         end = run("insulated_splash", precision=precision)
@@ -185,7 +185,11 @@ def freeze_thaw_100(run):
     time, ice = end.series["time_s"], end.series["strictness"]
     ends = [int(np.argmin(np.abs(time - k * period_s))) for k in range(1, cycles + 1)]
     colds = [int(np.argmin(np.abs(time - (k * period_s + 2.2)))) for k in range(cycles)]
-    heat, height = end.series["enthalpy_j"][ends], end.series["mean_z_m"][ends]
+    # A cycle ends before the water is as warm as the air, which differs from cycle to cycle.
+    first, last = (
+        {name: end.series[name][ends[ten]].mean() for name in ("enthalpy_j", "mean_z_m")}
+        for ten in (slice(0, 10), slice(-10, None))
+    )
     energy = end.series["total_energy_j"][ends]
     return [
         at_least("ice fraction when cold, minimum of all cycles", ice[colds].min(), 1.0),
@@ -196,14 +200,14 @@ def freeze_thaw_100(run):
             "particles that left or broke", end.report["escaped"] + end.report["non_finite"], 0.0
         ),
         at_most(
-            "enthalpy after the last cycle, relative to the first",
-            percent(abs(heat[-1] / heat[0] - 1.0)),
+            "enthalpy after the last ten cycles, relative to the first ten",
+            percent(abs(last["enthalpy_j"] / first["enthalpy_j"] - 1.0)),
             1.0,
             "%",
         ),
         at_most(
-            "volume after the last cycle, relative to the first",
-            percent(abs(height[-1] / height[0] - 1.0)),
+            "volume after the last ten cycles, relative to the first ten",
+            percent(abs(last["mean_z_m"] / first["mean_z_m"] - 1.0)),
             1.0,
             "%",
         ),

@@ -54,7 +54,7 @@ void DisplacementProjection<Real>::project(Particles<Real>& particles,
   keepGuess();
   move(particles, dt);
   levelPressure(gravity, dt);
-  if (bodies && !active_.empty()) levelBodies(particles, *bodies, gravity.norm() * dt * dt);
+  if (bodies && !active_.empty()) levelBodies(particles, *bodies);
 }
 
 /// Whether positions are precise enough for the displacement by gravity in a substep: in single

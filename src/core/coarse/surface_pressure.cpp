@@ -52,30 +52,26 @@ Real DisplacementProjection<Real>::excessAt(Index i) const {
   return left_[std::size_t(&grids_.gridOf(i) - grids_.grids().data())];
 }
 
-/// Takes the same off the pressure that pushes bodies, less an eighth of a cell, by which the
-/// spline of a pressure that ends at the surface is above it there. Without it a floating body is
-/// lifted by what is left at the surface, which fades within the part of the body that lies above
-/// the water.
+/// Takes the same off the pressure that pushes bodies: where it is no more than what is left at the
+/// surface, there is no pressure. Without it a floating body is lifted by what is left, which fades
+/// within the part of the body that lies above the water.
 template <class Real>
 void DisplacementProjection<Real>::levelBodies(Particles<Real>& particles,
-                                               const IceBodies<Real>& bodies, Real fall_m) const {
+                                               const IceBodies<Real>& bodies) const {
   const std::vector<Index>& order = grids_.order();
   const Real cell2 = grids_.cell_m() * grids_.cell_m();
   parallelFor(order.size(), [&](std::size_t k) {
     const Index i = order[k];
-    if (bodies.memberAt(i) == kNone) return;
-    const Real excess = std::min(Real(0), excessAt(i) + fall_m * grids_.cell_m() / 8) / cell2;
-    if (excess == 0) return;
+    if (multiplier_[i] < 0 || bodies.memberAt(i) == kNone) return;
     const CoarseGrid<Real>& grid = grids_.gridOf(i);
     const std::size_t lowest = grids_.lowestNodeOf(i);
     const SplineAt<Real> spline(sorted_, k);
     Vec3<Real> slope = Vec3<Real>::Zero();
     for (std::size_t a = 0; a < kCellNodes; ++a) {
-      const Real mu = mu_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))];
-      if (mu < 0) slope -= std::max(mu, excess) * spline.slope(a);
+      slope += mu_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))] * spline.slope(a);
     }
-    const Vec3<Real> change = sorted_.volume[k] * cell2 * slope.cwiseQuotient(grid.region.cell_m);
-    particles.predicted.add(i, grid.region.frame.rotation * change);
+    const Vec3<Real> push = sorted_.volume[k] * cell2 * slope.cwiseQuotient(grid.region.cell_m);
+    particles.predicted.add(i, -(grid.region.frame.rotation * push));
   });
 }
 

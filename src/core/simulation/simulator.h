@@ -103,6 +103,9 @@ class Simulator final : public Simulation {
   std::size_t carryAlong(const std::vector<Jump<Real>>& jumps);
   void expelWater();
   void makeRoom();
+  int relax(int before, int next);
+  template <class Enough>
+  bool correctPositions(int max, const Enough& enough);
   void applyViscosity(double dt_s);
   void updateTemperature(double time_s);
   void updateReport();

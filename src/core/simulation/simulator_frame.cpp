@@ -1,5 +1,6 @@
 // The part of a frame outside the substeps of Algorithm 1.
 #include <algorithm>
+#include <cmath>
 
 #include "simulation/collider_jumps.h"
 #include "simulation/simulator.h"
@@ -12,6 +13,8 @@ namespace {
 /// within this fraction of rest density.
 constexpr int kMaxCorrections = 100;
 constexpr double kDense = 0.05;
+/// Water whose mean density error is larger, like its promised error, counts as compressed.
+constexpr double kCompressed = 0.002;
 
 /// Displacements below this, in spacings, need no relaxation.
 constexpr double kPressed_d = 0.01;
@@ -65,8 +68,30 @@ void Simulator<Real>::chooseSubsteps(double frame_wall_s) {
   if (springsCorrect()) return;
   const int before = substep_control_.substeps();
   substep_control_.follow(scene_, report_);
+  const double compressed = std::max(kCompressed, scene_.solver.target_error);
+  if (substep_control_.substeps() > before && report_.density_error_mean > compressed) {
+    substep_control_.limit(scene_, report_, relax(before, substep_control_.substeps()));
+  }
   const int next = substep_control_.substeps();
   if (next != before) fluid_->rescale(double(before) / next);
+}
+
+/// Water that is compressed when it gets more substeps pushes back harder than it was pushed, as
+/// its stiffness goes with the square of their number. So it is relaxed first, as far as it becomes
+/// stiffer, with no more corrections than a frame takes.
+/// @returns number of substeps, from `before` to `next`, for which it is relaxed
+template <class Real>
+int Simulator<Real>::relax(int before, int next) {
+  const double compressed = report_.density_error_mean;
+  const double ratio = double(before) / next;
+  double error = compressed;
+  const bool moved = correctPositions(next * scene_.solver.iterations, [&] {
+    error = fluid_->densityError().mean;
+    return error <= ratio * ratio * compressed;
+  });
+  if (moved) fluid_->forget();
+  if (error <= ratio * ratio * compressed) return next;
+  return std::max(before, static_cast<int>(before * std::sqrt(compressed / error)));
 }
 
 template <class Real>
@@ -93,19 +118,28 @@ void Simulator<Real>::expelWater() {
   if (farthest_m > kPressed_d * scene_.fluid.spacing_m) makeRoom();
 }
 
-/// Corrects density as in the iterations of a substep, but without changing velocities.
+/// Corrects density as in the iterations of a substep, but without changing velocities, until
+/// enough() or at most `max` times. @returns whether anything has moved
 template <class Real>
-void Simulator<Real>::makeRoom() {
-  for (int k = 0; k < kMaxCorrections; ++k) {
+template <class Enough>
+bool Simulator<Real>::correctPositions(int max, const Enough& enough) {
+  for (int k = 0; k < max; ++k) {
     findNeighbours();
     fluid_->updateDensity(particles_, neighbours_);
-    if (static_cast<Real>(fluid_->maxDensity()) < Real(1 + kDense)) break;
+    if (enough()) return k > 0;
     fluid_->updateCorrections(particles_, neighbours_);
     respondToCollisions();
     updatePredicted();
     if (bodies()) bodies()->writePredicted(particles_.predicted);
     particles_.position = particles_.predicted;
   }
+  return max > 0;
+}
+
+template <class Real>
+void Simulator<Real>::makeRoom() {
+  correctPositions(kMaxCorrections,
+                   [&] { return static_cast<Real>(fluid_->maxDensity()) < Real(1 + kDense); });
   fluid_->forget();
 }
 

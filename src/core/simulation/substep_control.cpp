@@ -22,6 +22,11 @@ double frameStep_d(const Scene& scene, const StepReport& report) {
   return 2.0 * report.rms_speed_m_s / (scene.solver.frame_rate_hz * scene.fluid.spacing_m);
 }
 
+/// Substeps per frame that keep water stable.
+double stableSubsteps(const Scene& scene, const StepReport& report) {
+  return std::max<double>(scene.substepsForFall(), frameStep_d(scene, report) / kMaxStep_d);
+}
+
 }  // namespace
 
 SubstepControl::SubstepControl(const Scene& scene)
@@ -44,12 +49,11 @@ void SubstepControl::follow(const Scene& scene, const StepReport& report) {
 double SubstepControl::wantedForError(const Scene& scene, const StepReport& report) const {
   const double target = scene.solver.target_error;
   const double for_error = substeps_ * std::sqrt(report.density_error_mean / target);
-  const double step_d = frameStep_d(scene, report);
-  const double for_fall = scene.substepsForFall();
-  if (fewest_ == kMinSubsteps) return std::max({for_fall, for_error, step_d / kMaxStep_d});
+  if (fewest_ == kMinSubsteps) return std::max(for_error, stableSubsteps(scene, report));
 
   const double frames = double(report.frame);
   const double run_error = report.density_error_run * frames / std::max(frames, kFirstFrames);
+  const double step_d = frameStep_d(scene, report), for_fall = scene.substepsForFall();
   const double for_speed =
       std::min(step_d / (kPressedStep_d * std::sqrt(target)), for_error / std::sqrt(kWatched));
   const double wanted = std::max(for_fall, std::min(for_speed, substeps_ + 1.0));
@@ -61,9 +65,12 @@ double SubstepControl::wantedForBudget(const Scene& scene, const StepReport& rep
   const double frame_s = scene.solver.budget / scene.solver.frame_rate_hz;
   const double fit = std::floor(frame_s / substep_wall_s_);
   const double for_error = substeps_ * std::sqrt(report.density_error_mean / kSmallEnough);
-  const double stable =
-      std::max<double>(scene.substepsForFall(), frameStep_d(scene, report) / kMaxStep_d);
-  return std::max(stable, std::min({fit, for_error, substeps_ + 1.0}));
+  return std::max(stableSubsteps(scene, report), std::min({fit, for_error, substeps_ + 1.0}));
+}
+
+void SubstepControl::limit(const Scene& scene, const StepReport& report, int max) {
+  const int stable = static_cast<int>(std::ceil(stableSubsteps(scene, report)));
+  substeps_ = std::min(substeps_, std::max(max, stable));
 }
 
 void SubstepControl::measure(const Scene& scene, double frame_wall_s) {

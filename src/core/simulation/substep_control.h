@@ -26,6 +26,9 @@ class SubstepControl {
   /// @param report of the frame that ends
   void follow(const Scene& scene, const StepReport& report);
 
+  /// Takes at most `max` for the next frame, but no fewer than keep water stable.
+  void limit(const Scene& scene, const StepReport& report, int max);
+
   /// Whether the last second of frames took at most solver.budget of real time. True without one.
   bool withinBudget(const Scene& scene) const;
 

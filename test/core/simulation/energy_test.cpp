@@ -66,6 +66,33 @@ TEST_P(SplashEnergyTest, DoesNotRise) {
 
 INSTANTIATE_TEST_SUITE_P(Substeps, SplashEnergyTest, testing::Values(2, 4, 8, 24));
 
+/// A column that falls down a pipe, lands in one piece and takes more substeps while it is
+/// compressed.
+class LandingTest : public testing::TestWithParam<std::tuple<double, bool>> {};
+
+TEST_P(LandingTest, GivesBackLessThanItHad) {
+  const auto [column_m, coarse] = GetParam();
+  Scene scene;
+  scene.fluid.spacing_m = 0.02;
+  scene.solver.coarse_level = coarse;
+  scene.blocks.push_back(test::blockOf({-0.06, -0.06, 0.3}, {0.06, 0.06, 0.3 + column_m}));
+  scene.containers.push_back(test::tankOf({0.12, 0.12, 2 * column_m + 0.5}, true));
+  const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
+  const double start_j = total_j(simulation->report());
+  double most_j = 0.0;
+  int most_substeps = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    const StepReport& report = simulation->advanceFrame();
+    if (report.time_s > 0.25) most_j = std::max(most_j, mechanical_j(report));
+    most_substeps = std::max(most_substeps, report.substeps);
+  }
+  EXPECT_LT(most_j, 0.9 * start_j);
+  EXPECT_GT(most_substeps, 10);  // they rose
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, LandingTest,
+                         testing::Combine(testing::Values(0.2, 0.4, 1.6), testing::Bool()));
+
 TEST(EnergyTest, ReboundComesFromEnergyStoredInPressure) {
   // Two substeps without a coarse level leave water so compressible that it bounces.
   Scene scene = splash(2);

@@ -84,6 +84,19 @@ TEST_F(SubstepControlTest, WithoutABudgetTimeDoesNotMatter) {
   EXPECT_TRUE(within_);
 }
 
+TEST_F(SubstepControlTest, ALimitLeavesWhatKeepsWaterStable) {
+  report_.rms_speed_m_s = 3.0 * scene_.solver.frame_rate_hz * scene_.fluid.spacing_m;
+  for (const auto& [limit, taken] : {std::pair{20, 16}, {10, 10}, {6, 6}, {3, 6}}) {
+    SubstepControl control(scene_);
+    for (int k = 0; k < 300; ++k) {
+      control.measure(scene_, 5e-4 * control.substeps());
+      control.follow(scene_, report_);
+    }
+    control.limit(scene_, report_, limit);
+    EXPECT_EQ(control.substeps(), taken) << limit;
+  }
+}
+
 TEST(Budget, ExcludesATargetError) {
   Scene scene;
   scene.blocks.push_back({});
