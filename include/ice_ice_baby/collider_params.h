@@ -33,9 +33,9 @@ struct Collider {
 template <class Visitor>
 void describeCollider(Collider& c, Visitor&& visit) {
   visit("name", c.name, "name used by services and tf");
-  visit(
-      "position_m", c.position_m, kCoordinateRange_m,
-      "position of the centre; container: centre of its inner floor; plane: centre of its surface");
+  visit("position_m", c.position_m, kCoordinateRange_m,
+        "position of the centre; container, cup: centre of the inner floor; plane: centre of the "
+        "top; mesh: origin of the file");
   visit("rpy_deg", c.rpy_deg, Range{-360.0, 360.0},
         "roll, pitch, yaw about the fixed axes x, y, z");
   visit("friction", c.friction, Range{0.0, 10.0}, "Coulomb friction coefficient; 0: frictionless");

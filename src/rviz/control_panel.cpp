@@ -72,7 +72,7 @@ void ControlPanel::layOut() {
   scene_->setToolTip("Starts the chosen scene");
   preset_->setObjectName("preset");
   preset_->setToolTip("Solver settings; a choice starts the scene anew with them");
-  preset_->addItem("as the scene has it", QString());
+  preset_->addItem("scene's preset", QString());
   preset_->addItem("default", "default");
   preset_->addItem("paper", "paper");
   answer_->setObjectName("answer");

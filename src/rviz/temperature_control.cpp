@@ -78,7 +78,7 @@ void TemperatureControl::layOut() {
   grid->addWidget(slider_, 1, 0, 1, 2);
   grid->addWidget(of_, 2, 0);
   grid->addWidget(choice_, 2, 1);
-  grid->addWidget(new QLabel("get there in"), 3, 0);
+  grid->addWidget(new QLabel("ramp"), 3, 0);
   grid->addWidget(ramp_, 3, 1);
 }
 
@@ -117,11 +117,11 @@ void TemperatureControl::showTarget(double celsius) {
 void TemperatureControl::showInForce(double celsius, double mean_c) {
   const auto text = [](double c) { return QString("%1 °C").arg(c, 0, 'f', 1); };
   if (!std::isfinite(celsius)) {
-    in_force_->setText("in force —");
+    in_force_->setText("current —");
   } else if (std::isfinite(mean_c)) {
     in_force_->setText("air " + text(celsius) + ", mean " + text(mean_c));
   } else {
-    in_force_->setText("in force " + text(celsius));
+    in_force_->setText("current " + text(celsius));
   }
 }
 

@@ -1,4 +1,4 @@
-// Slider for the temperature to reach, time to get there, and the temperature in force.
+// Slider for the temperature to reach, time of the ramp, and the current temperature.
 #pragma once
 
 #include <QStringList>

@@ -48,7 +48,7 @@ constexpr char kExamples[] = R"(Examples:
   run_scene freeze_container --preset paper --report report.json
   run_scene dam_break --series series.csv --particles last.csv
   run_scene my_scene.yaml --set solver.substeps=16 --set "gravity_m_s2=[0, 0, -1.62]"
-  run_scene iceberg --save run.ckpt --autosave 1        killed at any moment, goes on with
+  run_scene iceberg --save run.ckpt --autosave 1        after a kill at any moment, continue with
   run_scene --load run.ckpt --save run.ckpt --autosave 1
 Exit code: 0 ran, 1 bad input, 2 became unstable.
 )";
@@ -82,9 +82,9 @@ void describeOptions(CLI::App& app, Options& o) {
   app.add_option("--save", o.outputs.save,
                  "write a checkpoint to this file at the end, also after Ctrl-C or SIGTERM");
   app.add_option("--autosave", o.outputs.autosave_s,
-                 "write it after so many simulated seconds each, too");
+                 "also write it every so many simulated seconds");
   app.add_option("--load", o.load,
-                 "go on from a checkpoint, in place of a scene, with the bits of the run that "
+                 "continue from a checkpoint instead of a scene, bit-identically to the run that "
                  "saved it");
   app.add_flag("--profile", o.profile, "print what each stage cost");
   app.add_flag("--list", o.list, "print the scenes and what they show");

@@ -82,8 +82,9 @@ std::string pathOf(const std::string& file, const fs::path& folder, bool confine
   const fs::path path = in_package ? packageFile(file) : folder / file;
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
-    throw InvalidInput("is not an ordinary file" +
-                       std::string(in_package ? "" : " in " + shortened(folder.string())));
+    throw InvalidInput(
+        "is not an ordinary file" +
+        std::string(in_package ? "" : " in " + shortened(fs::absolute(folder, error).string())));
   }
   if (confined && !in_package && !liesWithin(path.string(), folder.string())) {
     throw InvalidInput("lies outside the folder of the scene, " + shortened(folder.string()) +

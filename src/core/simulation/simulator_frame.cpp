@@ -13,8 +13,8 @@ namespace {
 /// within this fraction of rest density.
 constexpr int kMaxCorrections = 100;
 constexpr double kDense = 0.05;
-/// Water whose mean density error is larger, like its promised error, counts as compressed.
-constexpr double kCompressed = 0.002;
+/// Water whose mean density error is larger is compressed. What less stores is little.
+constexpr double kCompressed = 0.01;
 
 /// Displacements below this, in spacings, need no relaxation.
 constexpr double kPressed_d = 0.01;
@@ -68,8 +68,7 @@ void Simulator<Real>::chooseSubsteps(double frame_wall_s) {
   if (springsCorrect()) return;
   const int before = substep_control_.substeps();
   substep_control_.follow(scene_, report_);
-  const double compressed = std::max(kCompressed, scene_.solver.target_error);
-  if (substep_control_.substeps() > before && report_.density_error_mean > compressed) {
+  if (substep_control_.substeps() > before && report_.density_error_mean > kCompressed) {
     substep_control_.limit(scene_, report_, relax(before, substep_control_.substeps()));
   }
   const int next = substep_control_.substeps();
