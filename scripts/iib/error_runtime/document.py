@@ -110,7 +110,9 @@ def study_section(result):
     between = f"{counts[0]:,}" if len(counts) == 1 else f"{counts[0]:,} to {counts[-1]:,}"
     text += f"{between} particles, {constants['duration_s']:g} s"
     text += "".join(f", `{word}`" for word in constants["set"]) + ".\n\n"
-    if study.picture:
+    if study.sizes:
+        text += f"![error and cost over the number of particles](images/{study.picture_name})\n\n"
+    elif study.picture:
         name = f"images/error_vs_runtime_{study.name}_"
         text += (
             f"![error against run time]({name}error.png)\n![other metrics]({name}metrics.png)\n\n"

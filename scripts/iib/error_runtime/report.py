@@ -40,6 +40,7 @@ def measure_all(args, folder, command):
 
 def make_report(args, command):
     from iib.error_runtime.plots import draw
+    from iib.error_runtime.sizes_picture import draw_sizes
 
     folder = args.out or ROOT / "out" / "error_vs_runtime" / "report"
     peers = read_peers(args.peers) if args.peers else []
@@ -49,7 +50,9 @@ def make_report(args, command):
     pictures = pathlib.Path(args.doc) / "images"
     for result in results:
         study = result.study
-        if study.picture:
+        if study.sizes:
+            draw_sizes(pictures / study.picture_name, result.rows, f"{study.scene}: {study.shows}")
+        elif study.picture:
             beside = peers if study.name == PEERS_STUDY else []
             prefix = f"error_vs_runtime_{study.name}_"
             draw(pictures, result.rows, result.axes, beside, study.scene, prefix)

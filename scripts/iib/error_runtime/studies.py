@@ -36,6 +36,11 @@ class Study:
     picture: bool = True
     sizes: bool = False  # points differ in their number of particles
 
+    @property
+    def picture_name(self):
+        """Of a study with sizes."""
+        return f"error_vs_runtime_{self.name}_sizes.png"
+
 
 STUDIES = (
     Study(
