@@ -68,7 +68,7 @@ class Program(unittest.TestCase):
         return [str(word) for word in (*start, *tables_only, *more)]
 
     def go(self, *more, code=0):
-        done = subprocess.run(self.words(*more), text=True, capture_output=True, timeout=60)
+        done = subprocess.run(self.words(*more), text=True, capture_output=True, timeout=180)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done
 

@@ -27,6 +27,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// Nodes along the side of a part, an eighth of a block, for which samples are sought together.
 constexpr int kPart = BlockIndex::kBlock / 2;
+constexpr std::size_t kParts = 8;  ///< of a block
 
 /// Lowest nodes of the parts of a block, along each axis.
 BlockIndex::Node cornerOfPart(int part) {
@@ -102,8 +103,6 @@ class DensityField {
   }
 
  private:
-  static constexpr std::size_t kParts = 8;
-
   using Sorted = std::vector<std::vector<SurfaceSample>>;  ///< by the part in which they lie
 
   void sort(const std::vector<SurfaceSample>& samples, Sorted& sorted) const {
@@ -204,7 +203,7 @@ SurfaceDensity<Real>::SurfaceDensity(const Surface& surface, const WallKernel& k
   parallelFor(
       blocks_.inUse(),
       [&](std::size_t b) {
-        for (int part = 0; part < 8; ++part) {
+        for (int part = 0; part < int(kParts); ++part) {
           const BlockIndex::Node low = cornerOfPart(part);
           const auto samples = field.around(blocks_.corner(b) + low);
           if (samples.coarse.empty()) continue;
