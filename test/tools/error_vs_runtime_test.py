@@ -271,6 +271,8 @@ class Program(unittest.TestCase):
             "column_error",
             "splash_error",
             "ice_error",
+            "number_sizes",
+            "depth_sizes",
         ):
             self.assertIn(f"images/error_vs_runtime_{name}.png", text)
             picture = self.folder / "doc" / "images" / f"error_vs_runtime_{name}.png"

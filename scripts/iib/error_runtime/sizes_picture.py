@@ -9,7 +9,7 @@ QUALITIES = {"fast": 1.0, "balanced": 0.2, "accurate": 0.03}  # promised mean er
 
 def series_of(rows, quality, value):
     """(particles, value) of one quality, ascending."""
-    chosen = [row for row in rows if row["solver.quality"] == quality and row["status"] == "ok"]
+    chosen = [row for row in rows if row.get("solver.quality") == quality and row["status"] == "ok"]
     return sorted((row["particles"], value(row)) for row in chosen)
 
 
