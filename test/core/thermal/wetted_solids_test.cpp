@@ -133,7 +133,7 @@ void expectRoundSolidDelivers(std::vector<Solid> ColliderLists::*list, const Sol
   (scene.*list).push_back(withFlux(solid));
   (scene.*list)[0].name = "solid";
   (scene.*list)[0].position_m = {0, 0, 0.06};
-  // One fall in three is off by up to 3.5 %.
+  // Single falls of the cylinder are off by up to 3.5 %.
   double mean = 0.0;
   for (const double low_m : {0.11, 0.12, 0.13}) mean += deliveredShare(scene, area_m2, low_m) / 3;
   std::printf("delivers %.3f of flux x area\n", mean);
