@@ -35,6 +35,13 @@ Pose<Real> worldFrame(const Scene& scene) {
   return frame;
 }
 
+/// std::floor, which is a call of the library where the processor need not have SSE 4.1.
+template <class Real>
+std::int32_t floorOf(Real value) {
+  const auto cut = static_cast<std::int32_t>(value);
+  return Real(cut) > value ? cut - 1 : cut;
+}
+
 }  // namespace
 
 template <class Real>
@@ -113,9 +120,9 @@ void CoarseGrids<Real>::locate(const VectorField<Real>& position,
     for (int axis = 0; axis < 3; ++axis) {
       const auto k = std::size_t(axis);
       // A touch of rounding may put a particle below the floor of its container.
-      const Real at = std::clamp(std::floor(local[axis]), -far, far);
-      cell_at_[k][i] = static_cast<std::int32_t>(at);
-      inside_[k][i] = std::clamp(local[axis] - at, Real(0), Real(1));
+      const std::int32_t at = floorOf(std::clamp(local[axis], -far, far));
+      cell_at_[k][i] = at;
+      inside_[k][i] = std::clamp(local[axis] - Real(at), Real(0), Real(1));
     }
   });
 }

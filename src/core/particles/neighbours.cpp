@@ -18,7 +18,8 @@ namespace ice_ice_baby {
 
 namespace {
 
-// A key packs three 20-bit cell coordinates, z highest, so that cells along x are consecutive.
+// A key packs three 20-bit cell coordinates, x highest, so that cells along z are consecutive. The
+// coarse level numbers its cells in the same order.
 constexpr int kBits = 20;
 constexpr std::int64_t kMaxCell = (std::int64_t(1) << kBits) - 2;
 
@@ -29,7 +30,7 @@ constexpr double kListShare = 0.5;
 std::string lengthText(double length_m) { return numberText(std::round(1e6 * length_m) / 1e6); }
 
 constexpr std::uint64_t packKey(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
-  return (z << (2 * kBits)) | (y << kBits) | x;
+  return (x << (2 * kBits)) | (y << kBits) | z;
 }
 
 }  // namespace
@@ -68,7 +69,7 @@ std::uint64_t Neighbours<Real>::cellKey(const Vec3<Real>& point) const {
   return packKey(cellAlong(0, point.x()), cellAlong(1, point.y()), cellAlong(2, point.z()));
 }
 
-/// Radix sort, axis by axis, z last.
+/// Radix sort, axis by axis, x last.
 template <class Real>
 const std::vector<Index>& Neighbours<Real>::sortOrder(const VectorField<Real>& predicted) {
   const std::size_t n = predicted.size();
@@ -78,9 +79,9 @@ const std::vector<Index>& Neighbours<Real>::sortOrder(const VectorField<Real>& p
   origin_ = {*std::min_element(predicted.x.begin(), predicted.x.end()),
              *std::min_element(predicted.y.begin(), predicted.y.end()),
              *std::min_element(predicted.z.begin(), predicted.z.end())};
-  sortAlong(0, predicted.x);
-  sortAlong(1, predicted.y);
   sortAlong(2, predicted.z);
+  sortAlong(1, predicted.y);
+  sortAlong(0, predicted.x);
   return order_;
 }
 
@@ -163,8 +164,8 @@ class Neighbours<Real>::RowCursors {
  private:
   /// Key of the centre cell of row k.
   static std::uint64_t middle(std::uint64_t key, int k) {
-    const std::int64_t dy = k % 3 - 1, dz = k / 3 - 1;
-    return key + static_cast<std::uint64_t>(dz * (std::int64_t(1) << (2 * kBits)) +
+    const std::int64_t dy = k % 3 - 1, dx = k / 3 - 1;
+    return key + static_cast<std::uint64_t>(dx * (std::int64_t(1) << (2 * kBits)) +
                                             dy * (std::int64_t(1) << kBits));
   }
 
