@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ice_ice_baby/collider_wrench.h"
 #include "ice_ice_baby/samples.h"
 #include "ice_ice_baby/scene.h"
 #include "ice_ice_baby/step_report.h"
@@ -87,6 +88,16 @@ class Simulation {
 
   /// Pose of a collider now. @throws InvalidInput for an unknown name
   virtual Posed colliderPose(const std::string& name) const = 0;
+
+  /// Starts or stops to measure what water and ice do to colliders. Off, it costs nothing. It does
+  /// not change the simulation and is not part of a checkpoint.
+  virtual void measureWrenches(bool measure) = 0;
+
+  /// Mean force and torque on each collider, in their order in the scene, since the latest call or
+  /// since measuring began. The forces of all colliders together are the change of the momentum of
+  /// water and ice, less their weight, to rounding. Steam does not count, nor what carries water
+  /// along when a collider jumps. Empty while nothing is measured; zero before the first frame.
+  virtual std::vector<ColliderWrench> takeWrenches() = 0;
 
   /// Every `stride`-th particle, ordered by id.
   virtual void sample(std::vector<ParticleSample>& out, std::size_t stride = 1) const = 0;

@@ -80,6 +80,18 @@ struct SplineAlong {
         slope{u - 1, 1 - 2 * u, u} {}
 };
 
+/// Integrals of these splines over part of a cell.
+template <class Real>
+std::array<Real, 3> splineIntegrals(Real from, Real to) {
+  const auto until = [](Real u) {
+    const Real v = u - Real(0.5);
+    return std::array<Real, 3>{-(1 - u) * (1 - u) * (1 - u) / 6, Real(0.75) * u - v * v * v / 3,
+                               u * u * u / 6};
+  };
+  const auto low = until(from), high = until(to);
+  return {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+}
+
 /// Splines of the nodes of a cell at one of its particles.
 template <class Real>
 struct SplineAt {

@@ -13,6 +13,7 @@
 #include "coarse/free_volume.h"
 #include "coarse/one_sided_solver.h"
 #include "phase/phases.h"
+#include "wrenches/impulse.h"
 
 namespace ice_ice_baby {
 
@@ -40,6 +41,11 @@ class DisplacementProjection {
   /// Adapts to substeps that are `ratio` times as long.
   void rescale(double ratio);
   void reorder(const std::vector<Index>& order);
+
+  /// Appends what the latest projection did to colliders. Positions and velocities must be those
+  /// that it started from.
+  void wallLoads(const Particles<Real>& particles, Real dt,
+                 std::vector<WallLoad<Real>>& loads) const;
 
   std::size_t activeNodes() const { return active_.size(); }
   std::size_t bytes() const;
@@ -81,6 +87,9 @@ class DisplacementProjection {
                          const ObliqueHold<Real>* oblique) const;
   void moveParticle(Particles<Real>& particles, const CoarseRegion<Real>& region, std::size_t k,
                     const ObliqueHold<Real>* oblique, Real dt);
+
+  void addHeldLoads(const Particles<Real>& particles, Real dt,
+                    std::vector<WallLoad<Real>>& loads) const;
 
   const Colliders<Real>& colliders_;
   const Phases<Real>* phases_;

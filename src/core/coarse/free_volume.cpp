@@ -12,18 +12,6 @@ namespace {
 /// Parts of a cell along each axis where a collider is near.
 constexpr int kParts = 4;
 
-/// Integrals of the three splines along an axis over part of a cell, from 0 ... 1.
-template <class Real>
-std::array<Real, 3> integrals(Real from, Real to) {
-  const auto until = [](Real u) {
-    const Real v = u - Real(0.5);
-    return std::array<Real, 3>{-(1 - u) * (1 - u) * (1 - u) / 6, Real(0.75) * u - v * v * v / 3,
-                               u * u * u / 6};
-  };
-  const auto low = until(from), high = until(to);
-  return {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
-}
-
 /// Part of a cell along an axis that lies within 0 ... `high` cells from the origin of its grid.
 template <class Real>
 std::array<Real, 2> within(int cell, Real high) {
@@ -188,7 +176,7 @@ void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<R
           if (!reachable(point) || inSolid(colliders, point)) continue;
         }
         const std::array<std::array<Real, 3>, 3> along{
-            integrals(px[0], px[1]), integrals(py[0], py[1]), integrals(pz[0], pz[1])};
+            splineIntegrals(px[0], px[1]), splineIntegrals(py[0], py[1]), splineIntegrals(pz[0], pz[1])};
         for (std::size_t a = 0; a < kCellNodes; ++a) {
           if (!wanted[a]) continue;
           box.volume[box.place(cell + nodeOfCell(a))] +=

@@ -36,6 +36,20 @@ class BoundaryDensity {
                               [&](std::size_t i) { visit(i, at(points.at(i))); });
   }
 
+  /// The same for the parts of single colliders: visit(i, collider, sample).
+  template <class Visit>
+  void forEachPart(const VectorField<Real>& points, const Visit& visit) const {
+    const auto visitNear = [&](std::size_t i) {
+      SeenSolids<Real> seen;
+      for (const std::size_t collider : order_) {
+        if (!isNear(collider, points.at(i))) continue;
+        visit(i, collider, of(collider, points.at(i), seen));
+      }
+    };
+    ice_ice_baby::forEachNear(colliders_, Paths<Real>{points, points}, support_ - radius_, 0,
+                              points.size(), visitNear);
+  }
+
   std::size_t bytes() const;
 
  private:

@@ -50,6 +50,22 @@ class Fluid {
   VectorField<Real>& deltaP() { return constraint_.deltaP(); }
   const VectorField<Real>& deltaP() const { return constraint_.deltaP(); }
 
+  /// Appends what the coarse level did to colliders in this substep.
+  void coarseLoads(const Particles<Real>& particles, Real dt,
+                   std::vector<WallLoad<Real>>& loads) const {
+    if (coarse_) coarse_->wallLoads(particles, dt, loads);
+  }
+  /// Calls visit(i, collider, correction) for the part of delta p_i, m, that the density of a
+  /// collider causes in the latest iteration. @param predicted x* of that iteration
+  template <class Visit>
+  void forEachWallCorrection(const VectorField<Real>& predicted, const Visit& visit) const {
+    if (!boundary_) return;
+    boundary_->forEachPart(
+        predicted, [&](std::size_t i, std::size_t collider, const WallSample<Real>& wall) {
+          visit(i, collider, Vec3<Real>(constraint_.lambda()[i] * wall.gradient));
+        });
+  }
+
   bool viscous() const { return viscosity_.has_value(); }
   /// Smooths velocities (XSPH) over a substep, if the water is viscous.
   void applyViscosity(Particles<Real>& particles, const Neighbours<Real>& neighbours, double dt_s);

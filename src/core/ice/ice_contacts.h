@@ -38,6 +38,19 @@ class IceContacts {
   /// called between two changes without a substep.
   void followMembers(const IceBodies<Real>& bodies);
 
+  /// Calls visit(collider, point, impulse in kg m/s on the ice) for every contact with a collider
+  /// in the latest substep.
+  template <class Visit>
+  void forEachWallImpulse(const Visit& visit) const {
+    for (const auto* contacts : {&walls_, &dormant_walls_}) {
+      for (const Contact& contact : *contacts) {
+        const Vec3d multiplier =
+            contact.normal_multiplier * contact.normal + contact.friction_multiplier;
+        visit(contact.collider, contact.point, Vec3d(multiplier / dt_s_));
+      }
+    }
+  }
+
   /// Contacts of the present substep.
   std::size_t count() const { return walls_.size() + pairs_.size(); }
   /// How many bodies `contain` has moved back so far.

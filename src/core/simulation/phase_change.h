@@ -83,6 +83,8 @@ class PhaseChange {
   const ThermalSolver<Real>& heat() const { return heat_; }
   /// Null while there is no rigid ice.
   const IceBodies<Real>* bodies() const { return bodies_ ? &*bodies_ : nullptr; }
+  /// Of rigid ice; null while there is none.
+  const IceContacts<Real>* contacts() const { return contacts_ ? &*contacts_ : nullptr; }
   /// How often a body was slowed or moved back so far.
   std::uint64_t limited() const { return bodies_ ? bodies_->limited() + contacts_->limited() : 0; }
 

@@ -83,6 +83,9 @@ const StepReport& Simulator<Real>::advanceFrame() {
       chooseSubsteps(secondsSince(start));
     });
   }
+  if (report_.substeps == 0 && wrench_meter_) {
+    wrench_meter_->rest(1.0 / scene_.solver.frame_rate_hz);
+  }
   report_.frame_wall_s = secondsSince(start);
   return report_;
 }
@@ -106,7 +109,10 @@ void Simulator<Real>::runSubsteps() {
   const int substeps = report_.substeps;
   for (int k = 0; k < substeps; ++k) {
     if (colliders_moving_) colliders_.setSubstep(double(k) / substeps, double(k + 1) / substeps);
-    substep(1.0 / (scene_.solver.frame_rate_hz * substeps));
+    const double dt_s = 1.0 / (scene_.solver.frame_rate_hz * substeps);
+    if (wrench_meter_) wrench_meter_->begin(particles_);
+    substep(dt_s);
+    if (wrench_meter_) endWrenches(dt_s);
   }
   report_.speed_limited += bodiesLimited() - limited_before;
   report_.correction_limited = fluid_->correctionsLimited() - cut_before;
@@ -114,6 +120,14 @@ void Simulator<Real>::runSubsteps() {
   colliders_.endFrame();
   colliders_.setSubstep(1.0, 1.0);
   colliders_moving_ = false;
+}
+
+template <class Real>
+void Simulator<Real>::endWrenches(double dt_s) {
+  if (phase_change_) {
+    wrench_meter_->addIce(phase_change_->contacts(), bodies(), scene_.gravity_m_s2, dt_s);
+  }
+  wrench_meter_->end(particles_, scene_.gravity_m_s2, dt_s);
 }
 
 /// Algorithm 1 of the paper, line by line.
@@ -166,6 +180,7 @@ template <class Real>
 void Simulator<Real>::projectCoarse(double dt_s) {
   fluid_->projectCoarse(particles_, bodies(), scene_.gravity_m_s2.cast<Real>(),
                         static_cast<Real>(dt_s));
+  if (wrench_meter_) wrench_meter_->addCoarse(*fluid_, particles_, static_cast<Real>(dt_s));
 }
 
 template <class Real>
@@ -191,20 +206,35 @@ void Simulator<Real>::correctSprings(double dt_s, int iteration) {
   });
 }
 
-/// Changes delta p so that x* + delta p lies outside every collider.
+/// Calls answer(i) for every particle whose path to x*, or to x* + `by`, may touch a collider.
+/// @param answer moves the particle out of them; returns by how much, m
 template <class Real>
-void Simulator<Real>::respondToCollisions() {
+template <class Answer>
+void Simulator<Real>::respond(const VectorField<Real>* by, const Answer& answer) {
   const IceBodies<Real>* bodies = this->bodies();
-  VectorField<Real>& delta_p = fluid_->deltaP();
-  const Paths<Real> paths{particles_.position, particles_.predicted, &delta_p};
+  const Paths<Real> paths{particles_.position, particles_.predicted, by};
+  VectorField<Real>* pushes = wrench_meter_ ? &wrench_meter_->pushes(particles_.size()) : nullptr;
   parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
     forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
       if (bodies && bodies->memberAt(Index(i)) != kNone) return;
-      const Vec3<Real> predicted = particles_.predicted.at(i);
-      const Vec3<Real> wanted = predicted + delta_p.at(i);
-      const Vec3<Real> end = colliders_.respond(particles_.position.at(i), wanted, sticks());
-      delta_p.set(i, end - predicted);
+      const Vec3<Real> push = answer(i);
+      if (pushes) pushes->set(i, push);
     });
+  });
+  if (wrench_meter_) wrench_meter_->addPushes(particles_.predicted);
+}
+
+/// Changes delta p so that x* + delta p lies outside every collider.
+template <class Real>
+void Simulator<Real>::respondToCollisions() {
+  VectorField<Real>& delta_p = fluid_->deltaP();
+  if (wrench_meter_) wrench_meter_->addWalls(*fluid_, particles_.predicted);
+  respond(&delta_p, [&](std::size_t i) {
+    const Vec3<Real> predicted = particles_.predicted.at(i);
+    const Vec3<Real> wanted = predicted + delta_p.at(i);
+    const Vec3<Real> end = colliders_.respond(particles_.position.at(i), wanted, sticks());
+    delta_p.set(i, end - predicted);
+    return Vec3<Real>(end - wanted);
   });
 }
 
@@ -218,14 +248,11 @@ void Simulator<Real>::updatePredicted() {
 /// Moves particles out of colliders that springs or free flight moved into them.
 template <class Real>
 void Simulator<Real>::finishCollisions() {
-  const IceBodies<Real>* bodies = this->bodies();
-  const Paths<Real> paths{particles_.position, particles_.predicted};
-  parallelForRanges(particles_.size(), [&](std::size_t first, std::size_t last) {
-    forEachNear(colliders_, paths, Real(0), first, last, [&](std::size_t i) {
-      if (bodies && bodies->memberAt(Index(i)) != kNone) return;
-      const Vec3<Real> wanted = particles_.predicted.at(i);
-      particles_.predicted.set(i, colliders_.respond(particles_.position.at(i), wanted, sticks()));
-    });
+  respond(nullptr, [&](std::size_t i) {
+    const Vec3<Real> wanted = particles_.predicted.at(i);
+    const Vec3<Real> end = colliders_.respond(particles_.position.at(i), wanted, sticks());
+    particles_.predicted.set(i, end);
+    return Vec3<Real>(end - wanted);
   });
 }
 
@@ -255,7 +282,7 @@ void Simulator<Real>::updateVelocityAndPosition(Real dt) {
   });
   report_.speed_limited += limited;
   report_.non_finite += repaired;
-  if (repaired > 0) fluid_->forget();  // otherwise every substep would start from it again
+  if (repaired > 0) forgetCorrections();  // otherwise every substep would start from it again
 }
 
 template <class Real>

@@ -19,6 +19,7 @@
 #include "particles/particles.h"
 #include "simulation/phase_change.h"
 #include "simulation/substep_control.h"
+#include "wrenches/wrench_meter.h"
 
 namespace ice_ice_baby {
 
@@ -38,6 +39,8 @@ class Simulator final : public Simulation {
   void moveCollider(const std::string& name, const Posed& pose) override;
   void placeColliders(const std::vector<ColliderPlacement>& placements) override;
   Posed colliderPose(const std::string& name) const override { return colliders_.pose(name); }
+  void measureWrenches(bool measure) override;
+  std::vector<ColliderWrench> takeWrenches() override;
   void sample(std::vector<ParticleSample>& out, std::size_t stride) const override;
   void sampleSprings(std::vector<SpringSample>& out, std::size_t limit) const override;
   void sampleRelativeVolumes(std::vector<float>& out) const override;
@@ -82,6 +85,7 @@ class Simulator final : public Simulation {
   void runSubsteps();
   void judgeQuality();
   void substep(double dt_s);
+  void endWrenches(double dt_s);
   void predict(double dt_s);
   void applyForcesAndPredict(Real dt);
   void projectCoarse(double dt_s);
@@ -94,6 +98,8 @@ class Simulator final : public Simulation {
   void makeSprings();
   void correctSprings(double dt_s, int iteration);
   void respondToCollisions();
+  template <class Answer>
+  void respond(const VectorField<Real>* by, const Answer& answer);
   void updatePredicted();
   void finishCollisions();
   void updateVelocityAndPosition(Real dt);
@@ -102,6 +108,7 @@ class Simulator final : public Simulation {
   void jumpColliders();
   std::size_t carryAlong(const std::vector<Jump<Real>>& jumps);
   void expelWater();
+  void forgetCorrections();
   void makeRoom();
   int relax(int before, int next);
   template <class Enough>
@@ -140,6 +147,7 @@ class Simulator final : public Simulation {
   std::optional<Fluid<Real>> fluid_;  ///< always present; constructed after what it refers to
   std::optional<Springs<Real>> springs_;
   std::optional<PhaseChange<Real>> phase_change_;  ///< with heat
+  std::optional<WrenchMeter<Real>> wrench_meter_;  ///< while somebody asks for wrenches
 
   std::vector<char> displaced_;  ///< (n) scratch of separateCoincident
 

@@ -40,6 +40,18 @@ void Simulator<Real>::heatRegion(const HeatedRegion& region) {
 }
 
 template <class Real>
+void Simulator<Real>::measureWrenches(bool measure) {
+  if (!measure) wrench_meter_.reset();
+  if (!measure || wrench_meter_) return;
+  wrench_meter_.emplace(scene_, colliders_, phase_change_ ? &phase_change_->phases() : nullptr);
+}
+
+template <class Real>
+std::vector<ColliderWrench> Simulator<Real>::takeWrenches() {
+  return wrench_meter_ ? wrench_meter_->take() : std::vector<ColliderWrench>();
+}
+
+template <class Real>
 void Simulator<Real>::setGravity(const Vec3d& gravity_m_s2) {
   requireGravity(gravity_m_s2);
   if (still(gravity_m_s2, scene_.gravity_m_s2)) return;

@@ -88,7 +88,7 @@ int Simulator<Real>::relax(int before, int next) {
     error = fluid_->densityError().mean;
     return error <= ratio * ratio * compressed;
   });
-  if (moved) fluid_->forget();
+  if (moved) forgetCorrections();
   if (error <= ratio * ratio * compressed) return next;
   return std::max(before, static_cast<int>(before * std::sqrt(compressed / error)));
 }
@@ -106,7 +106,7 @@ template <class Real>
 std::size_t Simulator<Real>::carryAlong(const std::vector<Jump<Real>>& jumps) {
   const std::size_t carried = carry(jumps, colliders_, bodies(), particles_);
   if (phase_change_) phase_change_->jump(jumps, particles_);
-  fluid_->forget();
+  forgetCorrections();
   expelWater();
   return carried;
 }
@@ -135,11 +135,18 @@ bool Simulator<Real>::correctPositions(int max, const Enough& enough) {
   return max > 0;
 }
 
+/// The next substep starts from what the water is now.
+template <class Real>
+void Simulator<Real>::forgetCorrections() {
+  fluid_->forget();
+  if (wrench_meter_) wrench_meter_->forget();
+}
+
 template <class Real>
 void Simulator<Real>::makeRoom() {
   correctPositions(kMaxCorrections,
                    [&] { return static_cast<Real>(fluid_->maxDensity()) < Real(1 + kDense); });
-  fluid_->forget();
+  forgetCorrections();
 }
 
 template <class Real>
