@@ -39,6 +39,18 @@ struct Block {
   }
 };
 
+/// Box without walls in which particles are counted; the water does not notice it.
+struct Gauge {
+  std::string name;
+  Vec3d position_m = Vec3d::Zero();  ///< of its centre, in `frame`
+  Vec3d rpy_deg = Vec3d::Zero();
+  Vec3d size_m = Vec3d::Constant(0.1);
+  std::string frame;  ///< collider that it moves with; "": it stands still in the scene
+};
+
+/// Largest number of gauges in a scene.
+constexpr std::size_t kMaxGauges = 50;
+
 /// Scheduled change of temperature. A call of setTemperature cancels the remaining schedule.
 struct TemperatureEvent {
   double at_s = 0.0;
@@ -71,6 +83,7 @@ struct Scene : ColliderLists {
   LimitParams limits;
   std::vector<TemperatureEvent> schedule;
   std::vector<Block> blocks;
+  std::vector<Gauge> gauges;
 
   /// Support radius h in force, m, with 0 resolved.
   double supportRadius_m() const;

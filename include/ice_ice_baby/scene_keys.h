@@ -41,6 +41,17 @@ void describe(Block& b, Visitor&& visit) {
 }
 
 template <class Visitor>
+void describe(Gauge& g, Visitor&& visit) {
+  visit("name", g.name, "name in what is measured; no collider may have it too");
+  visit("position_m", g.position_m, kCoordinateRange_m, "position of the centre");
+  visit("rpy_deg", g.rpy_deg, Range{-360.0, 360.0},
+        "roll, pitch, yaw about the fixed axes x, y, z");
+  visit("size_m", g.size_m, Range{1e-3, 2 * kMaxCoordinate_m}, "length of its sides");
+  visit("frame", g.frame,
+        "collider in whose frame the gauge lies and with which it moves; \"\": that of the scene");
+}
+
+template <class Visitor>
 void describe(Scene& s, Visitor&& visit) {
   visit("name", s.name, "name of the scene");
   visit("description", s.description, "one-sentence description");
@@ -64,6 +75,7 @@ void describe(Scene& s, Visitor&& visit) {
   visit.list("blocks", s.blocks, "the water");
   forEachColliderList(
       s, [&](auto& list, const ColliderKind& kind) { visit.list(kind.key, list, kind.meaning); });
+  visit.list("gauges", s.gauges, "boxes without walls in which the water is measured");
 }
 
 }  // namespace ice_ice_baby

@@ -41,6 +41,10 @@ Scene loadScene(const std::string& name_or_path, const std::vector<Override>& ov
 Scene parseScene(const std::string& yaml, const std::vector<Override>& overrides = {},
                  const std::string& origin = "scene");
 
+/// Loads a scene from YAML text whose author may not choose files: meshes only from package://.
+Scene parseForeignScene(const std::string& yaml, const std::vector<Override>& overrides = {},
+                        const std::string& origin = "scene");
+
 /// Makes a scene that was changed in code ready to run: places the blocks that name a frame, reads
 /// the meshes that name a file and have no triangles yet, and checks everything as loadScene does.
 /// @throws InvalidInput as loadScene

@@ -10,6 +10,7 @@
 #include "ice_ice_baby/samples.h"
 #include "ice_ice_baby/scene.h"
 #include "ice_ice_baby/step_report.h"
+#include "ice_ice_baby/vessel_report.h"
 
 namespace ice_ice_baby {
 
@@ -89,15 +90,15 @@ class Simulation {
   /// Pose of a collider now. @throws InvalidInput for an unknown name
   virtual Posed colliderPose(const std::string& name) const = 0;
 
-  /// Starts or stops to measure what water and ice do to colliders. Off, it costs nothing. It does
-  /// not change the simulation and is not part of a checkpoint.
+  /// Starts to measure what water and ice do to colliders, anew if it does so already, or stops. Off,
+  /// it costs nothing. It does not change the simulation and is not part of a checkpoint.
   virtual void measureWrenches(bool measure) = 0;
 
-  /// Mean force and torque on each collider, in their order in the scene, since the latest call or
-  /// since measuring began. The forces of all colliders together are the change of the momentum of
-  /// water and ice, less their weight, to rounding. Steam does not count, nor what carries water
-  /// along when a collider jumps. Empty while nothing is measured; zero before the first frame.
-  virtual std::vector<ColliderWrench> takeWrenches() = 0;
+  /// Mean force and torque on each collider, in their order in the scene, since measuring began.
+  /// The forces on all colliders together are the weight of water and ice less the change of their
+  /// momentum, to rounding. Steam does not count, nor what carries water along when a collider
+  /// jumps. Empty while nothing is measured; zero before the first frame.
+  virtual std::vector<ColliderWrench> wrenches() const = 0;
 
   /// Every `stride`-th particle, ordered by id.
   virtual void sample(std::vector<ParticleSample>& out, std::size_t stride = 1) const = 0;
@@ -107,6 +108,14 @@ class Simulation {
 
   /// Every spring, or an even selection of at most `limit`.
   virtual void sampleSprings(std::vector<SpringSample>& out, std::size_t limit) const = 0;
+
+  /// Whether to count from now on what enters and leaves each vessel and gauge. The totals begin
+  /// at 0 when counting begins, and are lost when it ends. Costs nothing while it is off.
+  virtual void countFlows(bool on) = 0;
+
+  /// Measures every vessel and gauge now, in the order containers, cups, gauges. Numbers of flows
+  /// are 0 unless they are counted.
+  virtual std::vector<VesselReport> vessels() const = 0;
 
   /// Stages that exist in this scene now, in the order of Algorithm 1.
   virtual std::vector<StageStats> stages() const = 0;

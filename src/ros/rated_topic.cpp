@@ -3,7 +3,7 @@
 namespace ice_ice_baby {
 
 bool RatedTopic::due(bool news, bool last, bool repeat) {
-  if (publisher_.getNumSubscribers() == 0) return false;
+  if (!subscribed()) return false;
   const bool urgent = new_subscriber_.exchange(false) || (news && last);
   const WallClock::time_point now = WallClock::now();
   const bool old = repeat && now - gate_.latest() > std::chrono::seconds(1);

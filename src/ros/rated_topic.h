@@ -19,6 +19,8 @@ class RatedTopic {
   template <class Message>
   void advertise(ros::NodeHandle& node, const std::string& name, bool latch = false);
 
+  bool subscribed() const { return publisher_.getNumSubscribers() > 0; }
+
   /// Whether to build a message: there is a subscriber, and either there is news and the rate
   /// allows it, or the subscriber is new, or the last message is a second old.
   /// @param news since the last message

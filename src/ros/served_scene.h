@@ -15,4 +15,8 @@ namespace ice_ice_baby {
 Scene loadServedScene(const NodeParameters& parameters, const std::string& name,
                       const std::string& preset);
 
+/// The same for a scene as text, whose meshes have to be in packages.
+/// @throws InvalidInput as parseForeignScene and addRobotLinks
+Scene parseServedScene(const NodeParameters& parameters, const std::string& yaml);
+
 }  // namespace ice_ice_baby

@@ -109,7 +109,7 @@ ServedScene Services::sceneFor(const Reset::Request& request) const {
   if (name.empty()) {
     throw InvalidInput(
         "preset = \"" + shortened(request.preset) +
-        "\" needs the name of a scene, because the current one came from a checkpoint");
+        "\" needs the name of a scene, because the current one came from a checkpoint or as text");
   }
   const std::string preset = request.preset.empty() ? parameters_.preset : request.preset;
   return {loadServedScene(parameters_, name, preset), name};

@@ -1,5 +1,5 @@
-// The services, except save and load. Each checks its request, queues a command and answers without
-// waiting for the solver.
+// The services, except save, load and load_scene. Each checks its request, queues a command and
+// answers without waiting for the solver.
 #pragma once
 
 #include <ice_ice_baby/GetState.h>

@@ -65,6 +65,7 @@ SimulationNode::SimulationNode(const ros::NodeHandle& node, const ros::NodeHandl
       simulation_(scene_, runOptions(), hooks(), std::move(resumed_.simulation)),
       services_(private_, parameters_, simulation_, topics_, clock_),
       checkpoints_(private_, parameters_, folder_, resumed_, simulation_),
+      scene_loading_(private_, parameters_, simulation_),
       diagnostics_(node_, private_, parameters_,
                    {simulation_, frames_, topics_, clock_, checkpoints_}),
       spinner_(2, &queue_),
@@ -79,6 +80,7 @@ SimulationNode::SimulationNode(const ros::NodeHandle& node, const ros::NodeHandl
 std::vector<std::string> SimulationNode::serviceNames() const {
   std::vector<std::string> names = services_.names();
   for (const std::string& name : checkpoints_.names()) names.push_back(name);
+  names.push_back(scene_loading_.name());
   return names;
 }
 
@@ -101,6 +103,7 @@ RunHooks SimulationNode::hooks() {
   };
   hooks.before_frame = [this](Simulation& simulation, const FrameBegin& frame) {
     frames_.moveFollowers(simulation, clock_.frameStamp(frame, frames_.follows()));
+    topics_.frameBegins(simulation);
   };
   hooks.tick = [this](const Simulation& simulation, const Snapshot& snapshot, bool settled) {
     clock_.tick(snapshot.simulated_s);

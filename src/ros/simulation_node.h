@@ -11,6 +11,7 @@
 #include "frames.h"
 #include "master_watch.h"
 #include "parameters.h"
+#include "scene_loading.h"
 #include "services.h"
 #include "simulation_thread.h"
 #include "topics.h"
@@ -44,6 +45,7 @@ class SimulationNode {
   SimulationThread simulation_;
   Services services_;
   Checkpoints checkpoints_;
+  SceneLoading scene_loading_;
   Diagnostics diagnostics_;
   ros::AsyncSpinner spinner_;
   MasterWatch watch_;

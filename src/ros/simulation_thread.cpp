@@ -71,7 +71,12 @@ void SimulationThread::reset(const ServedScene& scene) {
 }
 
 void SimulationThread::load(std::unique_ptr<Simulation> simulation) {
-  const auto coming = std::make_shared<const ServedScene>(simulation->scene());
+  const ServedScene scene = simulation->scene();
+  load(std::move(simulation), scene);
+}
+
+void SimulationThread::load(std::unique_ptr<Simulation> simulation, const ServedScene& scene) {
+  const auto coming = std::make_shared<const ServedScene>(scene);
   const auto loaded = std::make_shared<std::unique_ptr<Simulation>>(std::move(simulation));
   const auto begin = [this, coming, loaded] {
     steps_left_ = 0;

@@ -96,6 +96,8 @@ class SimulationThread {
   void reset(const ServedScene& scene);
   /// Replaces the simulation by this one.
   void load(std::unique_ptr<Simulation> simulation);
+  /// @param scene from which it was made, which a reset starts again
+  void load(std::unique_ptr<Simulation> simulation, const ServedScene& scene);
   /// Calls `look` between two frames, on the simulation's thread.
   void inspect(std::function<void(const Simulation&)> look);
   void pause();

@@ -5,6 +5,7 @@
 #include "ice_ice_baby/each_collider.h"
 #include "markers.h"
 #include "state_message.h"
+#include "vessels_message.h"
 
 namespace ice_ice_baby {
 
@@ -17,21 +18,32 @@ Topics::Topics(ros::NodeHandle& node, const NodeParameters& parameters)
       springs_(parameters.springs_rate_hz),
       colliders_(30.0),
       state_(parameters.state_rate_hz),
+      vessels_(parameters.vessels_rate_hz),
+      wrenches_(node, parameters.scene_frame, parameters.wrenches_rate_hz),
       publisher_({[this] { publishParticles(); }, [this] { publishSprings(); },
-                  [this] { publishColliders(); }, [this] { publishState(); }}) {
+                  [this] { publishColliders(); }, [this] { publishState(); },
+                  [this] { publishVessels(); }}) {
   particles_.advertise<sensor_msgs::PointCloud2>(node, "particles");
   springs_.advertise<visualization_msgs::MarkerArray>(node, "springs");
   colliders_.advertise<visualization_msgs::MarkerArray>(node, "colliders", true);
   state_.advertise<State>(node, "state");
+  vessels_.advertise<ice_ice_baby::Vessels>(node, "vessels");
 }
 
 void Topics::sceneStarted(const Simulation& simulation) {
   particle_news_.add(false);
   spring_news_.add(false);
   state_news_.add(false);
+  vessel_news_.add(false);
   collider_news_ = {};
   scene_started_ = true;
+  wrenches_.sceneStarted(simulation);
   scene_ = std::make_shared<const Scene>(simulation.scene());
+}
+
+void Topics::frameBegins(Simulation& simulation) {
+  simulation.countFlows(vessels_.subscribed());
+  wrenches_.frameBegins(simulation);
 }
 
 void Topics::publish(const Simulation& simulation, const Snapshot& snapshot, const ros::Time& stamp,
@@ -56,6 +68,8 @@ void Topics::publish(const Simulation& simulation, const Snapshot& snapshot, con
     state_snapshot_.snapshot = snapshot;
     publisher_.request(kState);
   }
+  if (due(kVessels, vessels_, vessel_news_, true)) takeVessels(simulation, stamp);
+  if (wrenches_.publish(simulation, stamp, wrench_news_.any, wrench_news_.last)) wrench_news_ = {};
 }
 
 void Topics::addNews(const Snapshot& snapshot, bool colliders_moved, bool settled) {
@@ -63,7 +77,9 @@ void Topics::addNews(const Snapshot& snapshot, bool colliders_moved, bool settle
   if (snapshot.report.frame == frame_ && settled == settled_) return;
   frame_ = snapshot.report.frame;
   settled_ = settled;
-  for (News* news : {&particle_news_, &spring_news_, &state_news_}) news->add(settled);
+  for (News* news : {&particle_news_, &spring_news_, &state_news_, &vessel_news_, &wrench_news_}) {
+    news->add(settled);
+  }
 }
 
 void Topics::takeParticles(const Simulation& simulation, const ros::Time& stamp) {
@@ -99,6 +115,15 @@ void Topics::takeColliders(const Simulation& simulation, const ros::Time& stamp)
   publisher_.request(kColliders);
 }
 
+void Topics::takeVessels(const Simulation& simulation, const ros::Time& stamp) {
+  vessel_news_ = {};
+  vessel_snapshot_.stamp = stamp;
+  vessel_snapshot_.time_s = simulation.report().time_s;
+  vessel_snapshot_.spilled = simulation.report().spilled;
+  vessel_snapshot_.vessels = simulation.vessels();
+  publisher_.request(kVessels);
+}
+
 void Topics::publishParticles() {
   // The memory of the last message serves again unless a subscriber in this process holds it.
   if (!cloud_.unique()) cloud_ = boost::make_shared<sensor_msgs::PointCloud2>();
@@ -125,8 +150,16 @@ void Topics::publishState() {
   state_.publish(state);
 }
 
+void Topics::publishVessels() {
+  const auto message = boost::make_shared<ice_ice_baby::Vessels>(
+      vesselsMessage(vessel_snapshot_.vessels, header(vessel_snapshot_.stamp)));
+  message->time_s = vessel_snapshot_.time_s;
+  message->spilled = vessel_snapshot_.spilled;
+  vessels_.publish(message);
+}
+
 std::vector<TopicLoad> Topics::loads() const {
-  return {particles_.load(), springs_.load(), colliders_.load(), state_.load()};
+  return {particles_.load(), springs_.load(), colliders_.load(), state_.load(), vessels_.load()};
 }
 
 std_msgs::Header Topics::header(const ros::Time& stamp) const {

@@ -1,4 +1,5 @@
-// The topics that follow the simulation: particles, springs, colliders and state.
+// The topics that follow the simulation: particles, springs, colliders, state, vessels and
+// wrenches.
 #pragma once
 
 #include <sensor_msgs/PointCloud2.h>
@@ -12,6 +13,7 @@
 #include "publisher_thread.h"
 #include "rated_topic.h"
 #include "simulation_thread.h"
+#include "wrench_topics.h"
 
 namespace ice_ice_baby {
 
@@ -27,6 +29,10 @@ class Topics {
   /// latched.
   void sceneStarted(const Simulation& simulation);
 
+  /// Simulation's thread: flows are counted, and wrenches measured, in the frame that begins if
+  /// anyone subscribes to them.
+  void frameBegins(Simulation& simulation);
+
   /// Simulation's thread: takes and hands over the snapshots that are due; does not wait.
   /// @param colliders_moved since the last call
   /// @param settled whether no frame follows by itself
@@ -39,7 +45,7 @@ class Topics {
   std_msgs::Header header(const ros::Time& stamp) const;
 
  private:
-  enum Topic : std::size_t { kParticles, kSprings, kColliders, kState };
+  enum Topic : std::size_t { kParticles, kSprings, kColliders, kState, kVessels };
 
   /// What happened since the last snapshot of a topic.
   struct News {
@@ -55,10 +61,12 @@ class Topics {
   void takeParticles(const Simulation& simulation, const ros::Time& stamp);
   void takeSprings(const Simulation& simulation, const ros::Time& stamp);
   void takeColliders(const Simulation& simulation, const ros::Time& stamp);
+  void takeVessels(const Simulation& simulation, const ros::Time& stamp);
   void publishParticles();
   void publishSprings();
   void publishColliders();
   void publishState();
+  void publishVessels();
 
   const std::string scene_frame_;
   const bool rgb_;
@@ -68,9 +76,11 @@ class Topics {
   RatedTopic springs_;
   RatedTopic colliders_;
   RatedTopic state_;
+  RatedTopic vessels_;
+  WrenchTopics wrenches_;  ///< simulation's thread
 
   // Simulation's thread.
-  News particle_news_, spring_news_, collider_news_, state_news_;
+  News particle_news_, spring_news_, collider_news_, state_news_, vessel_news_, wrench_news_;
   std::shared_ptr<const Scene> scene_;
   bool scene_started_ = false;
   std::uint64_t frame_ = 0;
@@ -99,6 +109,12 @@ class Topics {
     ros::Time stamp;
     Snapshot snapshot;
   } state_snapshot_;
+  struct {
+    ros::Time stamp;
+    double time_s = 0.0;
+    std::uint64_t spilled = 0;
+    std::vector<VesselReport> vessels;
+  } vessel_snapshot_;
 
   boost::shared_ptr<sensor_msgs::PointCloud2> cloud_;  ///< publisher's thread
   PublisherThread publisher_;                          ///< last, so that it ends first

@@ -66,6 +66,15 @@ void putNumbers(const StepReport& report, const RunRecord& record, nlohmann::ord
   describe(record, [&](const char* name, const auto& value, const char*) { json[name] = value; });
 }
 
+/// What each vessel and gauge holds at the end; null for what has no value.
+void putVessels(const Simulation& simulation, nlohmann::ordered_json& json) {
+  for (const VesselReport& vessel : simulation.vessels()) {
+    nlohmann::ordered_json& numbers = json["vessels"][vessel.name];
+    describeVessel([&](const char* name, const auto& value, const char*) { numbers[name] = value; },
+                   vessel);
+  }
+}
+
 /// Mean over the run of the largest density error beyond which water counts as flying apart.
 constexpr double kCrushed = 0.5;
 
@@ -133,6 +142,7 @@ void writeReport(const std::string& path, const Simulation& simulation, const Ru
   for (const ErrorMetric& metric : record.metrics) {
     if (std::isfinite(metric.value)) json["error"][metric.name] = metric.value;
   }
+  putVessels(simulation, json);
   json["settings"] = settingsOf(simulation.scene());
   json["stages"] = nlohmann::ordered_json::array();
   for (const StageStats& stage : simulation.stages()) {

@@ -206,6 +206,7 @@ int runScene(const Options& options) {
   for (const std::string& warning : meshWarnings(simulation->scene())) {
     std::fprintf(stderr, "run_scene: warning: %s\n", warning.c_str());
   }
+  simulation->countFlows(!options.report.empty());
   RunRecord record = runFrames(*simulation, options.outputs, end_s, options.threads);
   record.precision = simulation->precision() == Precision::kDouble ? "double" : "float";
   record.threads = options.threads > 0 ? options.threads : int(std::thread::hardware_concurrency());

@@ -1,5 +1,7 @@
 #include "series_writer.h"
 
+#include <algorithm>
+
 #include "base/shortest_text.h"
 #include "ice_ice_baby/errors.h"
 #include "metrics/cloud_moments.h"
@@ -52,6 +54,16 @@ void addReport(Row& row, const StepReport& report) {
   describeReproducible(add, report);
 }
 
+void addVessels(Row& row, const Simulation& simulation) {
+  for (const VesselReport& vessel : simulation.vessels()) {
+    std::string name = vessel.name;
+    std::replace(name.begin(), name.end(), ',', '_');  // which separates columns
+    row.add(name + ".water_m3", vessel.water_m3);
+    row.add(name + ".ice_m3", vessel.ice_m3);
+    row.add(name + ".level_m", vessel.level_m);
+  }
+}
+
 Row rowOf(const FrameView& frame) {
   const StepReport& report = frame.report();
   Row row;
@@ -63,6 +75,7 @@ Row rowOf(const FrameView& frame) {
   row.add("total_energy_j",
           report.kinetic_energy_j + report.potential_energy_j + report.elastic_energy_j);
   addMoments(row, momentsOf(frame.particles, massOfParticle_kg(frame.scene())));
+  addVessels(row, frame.simulation);
   row.add("resident_bytes", double(residentBytes()));
   return row;
 }

@@ -1,4 +1,5 @@
 #include <ice_ice_baby/HeatRegion.h>
+#include <ice_ice_baby/LoadScene.h>
 #include <ice_ice_baby/Reset.h>
 #include <ice_ice_baby/SetGravity.h>
 #include <ice_ice_baby/SetTemperature.h>
@@ -51,6 +52,9 @@ void serve(Simulation& simulation, const std::string& bytes) {
       overridesFor(NodeParameters(), request.preset);
       return;
     }
+    case 'l':
+      parseForeignScene(read<LoadScene::Request>(rest).yaml);
+      return;
     default:
       return;
   }

@@ -17,7 +17,7 @@ from visualization_msgs.msg import MarkerArray
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 from iib.ros.node import Latest, Node
 
-TOPICS = ["particles", "springs", "colliders", "state"]
+TOPICS = ["particles", "springs", "colliders", "state", "vessels"]
 
 
 class Bag(unittest.TestCase):
@@ -75,6 +75,7 @@ class Bag(unittest.TestCase):
                     "/sim/springs:=/again/springs",
                     "/sim/colliders:=/again/colliders",
                     "/sim/state:=/again/state",
+                    "/sim/vessels:=/again/vessels",
                 ],
                 check=True,
                 timeout=60,

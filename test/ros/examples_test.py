@@ -52,6 +52,14 @@ class Examples(unittest.TestCase):
         self.expect_particles(built("print_particles"))
         self.expect_particles(str(SCRIPTS / "print_particles.py"))
 
+    def test_1_subscribers_print_the_vessels(self):
+        for program in built("print_vessels"), str(SCRIPTS / "print_vessels.py"):
+            line = self.start(program).stdout.readline()
+            found = re.search(r"bowl: ([\d.]+) l, level ([\d.]+) m", line)
+            self.assertTrue(found, line)
+            self.assertGreater(float(found.group(1)), 0.0)
+            self.assertGreater(float(found.group(2)), 0.0)
+
     def test_2_calm_water_freezes(self):
         child = self.start(built("freeze_when_calm"))
         output, _ = child.communicate(timeout=60)

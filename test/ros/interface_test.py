@@ -299,11 +299,12 @@ class Interface(unittest.TestCase):
         answer = self.node.get_state()
         self.assertTrue(answer.success)
         self.assertEqual(
-            answer.scenes, ["carried_cup", "coarse_steps", "followed", "slow", "small", "warm"]
+            answer.scenes,
+            ["carried_cup", "coarse_steps", "followed", "gauged", "slow", "small", "warm"],
         )
         self.assertEqual(
             [t.name for t in answer.state.topics],
-            ["/sim/particles", "/sim/springs", "/sim/colliders", "/sim/state"],
+            ["/sim/" + t for t in ("particles", "springs", "colliders", "state", "vessels")],
         )
 
 

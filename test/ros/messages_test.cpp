@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -17,6 +18,7 @@
 #include "particle_cloud.h"
 #include "particle_colour.h"
 #include "state_message.h"
+#include "vessels_message.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -257,9 +259,9 @@ TEST(StateMessage, CarriesTheReport) {
   EXPECT_EQ(state.stages[0].bytes, 678u);
 }
 
-/// Comment of each field of State.msg.
-std::map<std::string, std::string> fieldComments() {
-  std::ifstream file(IIB_STATE_MSG);
+/// Comment of each field of a message.
+std::map<std::string, std::string> fieldComments(const std::string& message) {
+  std::ifstream file(IIB_MESSAGES + message);
   std::map<std::string, std::string> comments;
   for (std::string line; std::getline(file, line);) {
     const std::size_t hash = line.find('#');
@@ -272,7 +274,7 @@ std::map<std::string, std::string> fieldComments() {
 }
 
 TEST(StateMessage, DescribesEveryReportedNumberAsTheReportDoes) {
-  const auto comments = fieldComments();
+  const auto comments = fieldComments("State.msg");
   const std::map<std::string, std::string> renamed = {{"temperature_c", "temperature"},
                                                       {"mean_celsius", "mean_temperature"}};
   describe(StepReport(), [&](const char* name, const auto&, const std::string& meaning) {
@@ -280,6 +282,39 @@ TEST(StateMessage, DescribesEveryReportedNumberAsTheReportDoes) {
     ASSERT_EQ(comments.count(field), 1u) << "add " << field << " to msg/State.msg: " << meaning;
     EXPECT_EQ(comments.at(field), meaning) << field << " in msg/State.msg";
   });
+}
+
+TEST(VesselsMessage, DescribesEveryNumberAsTheReportDoes) {
+  const auto comments = fieldComments("Vessel.msg");
+  const VesselReport report;
+  describeVessel(
+      [&](const char* name, const auto&, const std::string& meaning) {
+        ASSERT_EQ(comments.count(name), 1u) << "add " << name << " to msg/Vessel.msg: " << meaning;
+        EXPECT_EQ(comments.at(name), meaning) << name << " in msg/Vessel.msg";
+      },
+      report);
+}
+
+TEST(VesselsMessage, HoldsEveryVesselInOrder) {
+  VesselReport tank, cup;
+  tank.name = "tank";
+  tank.particles = 7;
+  tank.water_m3 = 0.5;
+  tank.left_m3 = 0.25;
+  cup.name = "cup";
+  cup.level_m = 0.125;
+  std_msgs::Header header;
+  header.frame_id = "scene";
+  const Vessels message = vesselsMessage({tank, cup}, header);
+  EXPECT_EQ(message.header.frame_id, "scene");
+  ASSERT_EQ(message.vessels.size(), 2u);
+  EXPECT_EQ(message.vessels[0].name, "tank");
+  EXPECT_EQ(message.vessels[0].particles, 7u);
+  EXPECT_EQ(message.vessels[0].water_m3, 0.5);
+  EXPECT_EQ(message.vessels[0].left_m3, 0.25);
+  EXPECT_EQ(message.vessels[1].name, "cup");
+  EXPECT_EQ(message.vessels[1].level_m, 0.125);
+  EXPECT_TRUE(std::isnan(message.vessels[1].mean_celsius));
 }
 
 /// Snapshot of a freezing pond.

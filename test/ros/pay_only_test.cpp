@@ -1,5 +1,6 @@
 // Topics without subscribers cost nothing: what they ask of the simulation, call by call.
 #include <gtest/gtest.h>
+#include <ice_ice_baby/Vessels.h>
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -49,12 +50,21 @@ class Watched final : public Simulation {
   void sampleRelativeVolumes(std::vector<float>& out) const override {
     real_->sampleRelativeVolumes(out);
   }
+  void countFlows(bool on) override {
+    counts_flows = on;
+    real_->countFlows(on);
+  }
+  std::vector<VesselReport> vessels() const override {
+    ++vessel_reports;
+    return real_->vessels();
+  }
   std::vector<StageStats> stages() const override { return real_->stages(); }
   std::uint64_t stateHash() const override { return real_->stateHash(); }
   Precision precision() const override { return real_->precision(); }
   void write(StateWriter& writer) const override { real_->write(writer); }
 
-  mutable int samples = 0, spring_samples = 0, poses = 0, moves = 0;
+  mutable int samples = 0, spring_samples = 0, poses = 0, moves = 0, vessel_reports = 0;
+  bool counts_flows = false;
 
  private:
   std::unique_ptr<Simulation> real_;
@@ -81,6 +91,7 @@ class PayOnly : public testing::Test {
   void runFrames(int count) {
     for (int k = 0; k < count; ++k) {
       ros::WallDuration(0.002).sleep();  // longer than the 1000 Hz that the topics allow
+      topics_->frameBegins(simulation_);
       simulation_.advanceFrame();
       tick();
     }
@@ -134,6 +145,8 @@ TEST_F(PayOnly, WithoutSubscribersNothingIsSampledOrBuilt) {
   EXPECT_EQ(simulation_.samples, 0);
   EXPECT_EQ(simulation_.spring_samples, 0);
   EXPECT_EQ(simulation_.poses, 0);
+  EXPECT_EQ(simulation_.vessel_reports, 0);
+  EXPECT_FALSE(simulation_.counts_flows);
 }
 
 TEST_F(PayOnly, OneSubscriberCostsOneMessageAFrameOfItsTopic) {
@@ -152,6 +165,21 @@ TEST_F(PayOnly, OneSubscriberCostsOneMessageAFrameOfItsTopic) {
     ros::spinOnce();
   }
   EXPECT_EQ(received, 50);
+}
+
+TEST_F(PayOnly, VesselsAreMeasuredWhileSomebodySubscribes) {
+  int received = 0;
+  {
+    const auto subscriber = subscribe<Vessels>("vessels", received);
+    runFrames(3);
+    EXPECT_TRUE(simulation_.counts_flows);
+    EXPECT_GT(simulation_.vessel_reports, 0);
+  }
+  runFrames(20);
+  simulation_.vessel_reports = 0;
+  runFrames(20);
+  EXPECT_FALSE(simulation_.counts_flows);
+  EXPECT_EQ(simulation_.vessel_reports, 0);
 }
 
 TEST_F(PayOnly, ATickWithoutAFrameBuildsNothing) {

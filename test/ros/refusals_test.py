@@ -61,6 +61,15 @@ ALWAYS = [
     ("save", dict(name="autosave_1"), ["autosave_1", "does not begin with"]),
     ("load", dict(name="never_saved"), ["never_saved", "call save first"]),
     ("load", dict(name="../../etc/passwd"), ["1 to 64", "~checkpoint_folder"]),
+    ("load_scene", dict(), ["scene and yaml are both empty"]),
+    ("load_scene", dict(scene="small", yaml="{}"), ["small", "both given"]),
+    ("load_scene", dict(scene="smal"), ["smal", "did you mean small"]),
+    ("load_scene", dict(scene="../scenes/small"), ["../scenes/small", "small"]),
+    ("load_scene", dict(scene=LONG), ["xxx", "small"]),
+    ("load_scene", dict(yaml=LONG), ["a scene is a map of keys"]),
+    ("load_scene", dict(yaml="fluid: {spacing_m: .nan}"), ["fluid.spacing_m = nan", "["]),
+    ("load_scene", dict(yaml="gravity: 1"), ["unknown key gravity", "gravity_m_s2"]),
+    ("load_scene", dict(yaml="meshes: [{file: /etc/passwd}]"), ["/etc/passwd", "package://"]),
 ]
 WITHOUT_HEAT = [
     ("set_temperature", dict(temperature=5.0, target="container"), ["thermal.enabled"]),

@@ -187,6 +187,25 @@ class RunScene(RunSceneCase):
         ):
             self.assertIn(name, rows[0])
 
+    def test_report_and_series_have_what_each_vessel_holds(self):
+        gauges = ("--set", "gauges=[{name: low, position_m: [0, 0, 0.1], size_m: [1, 1, 0.2]}]")
+        vessels = self.report(*gauges)["vessels"]
+        self.assertEqual(list(vessels), ["tank", "low"])
+        tank, low = vessels["tank"], vessels["low"]
+        self.assertEqual(tank["particles"], 180)
+        self.assertAlmostEqual(tank["water_m3"], 180 * 0.05**3)
+        self.assertAlmostEqual(tank["level_m"], 180 * 0.05**3 / 0.16)
+        self.assertEqual((tank["ice_m3"], tank["mean_celsius"]), (0, None))
+        self.assertGreater(low["entered_m3"], 0)  # the block falls
+        self.assertAlmostEqual(
+            low["water_m3"] - 108 * 0.05**3, low["entered_m3"] - low["left_m3"]
+        )
+        row = self.table("--series", *gauges)[-1]
+        self.assertAlmostEqual(row["tank.water_m3"], tank["water_m3"])
+        self.assertAlmostEqual(row["low.level_m"], low["level_m"])
+        without = self.report("--set", "containers=[]")
+        self.assertNotIn("vessels", without)
+
     def test_samples_thin_series_and_record(self):
         record = self.folder / "record.npy"
         rows = self.table("--series", "--sample-hz", 20, "--record", record)

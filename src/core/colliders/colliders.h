@@ -73,6 +73,7 @@ class Colliders {
   /// Ends the frame: every collider is at its target pose.
   void endFrame();
   Posed pose(const std::string& name) const;
+  Posed pose(std::size_t number) const { return travels_[number].start; }
 
   std::size_t bytes() const;
 

@@ -76,9 +76,13 @@ std::string placeOf(const std::string& file) {
   return inPackage(file) ? packageFile(file).string() : file;
 }
 
-std::string pathOf(const std::string& file, const fs::path& folder, bool confined) {
+std::string pathOf(const std::string& file, const fs::path& folder, MeshPlaces places) {
   if (file.empty()) throw InvalidInput("is missing; set it to an STL, OBJ, DAE or PLY file");
   const bool in_package = inPackage(file);
+  if (places == MeshPlaces::kPackages && !in_package) {
+    throw InvalidInput(
+        "must begin with package://, because this scene came as text; put the file into a package");
+  }
   const fs::path path = in_package ? packageFile(file) : folder / file;
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
@@ -86,7 +90,7 @@ std::string pathOf(const std::string& file, const fs::path& folder, bool confine
         "is not an ordinary file" +
         std::string(in_package ? "" : " in " + shortened(fs::absolute(folder, error).string())));
   }
-  if (confined && !in_package && !liesWithin(path.string(), folder.string())) {
+  if (places == MeshPlaces::kFolder && !in_package && !liesWithin(path.string(), folder.string())) {
     throw InvalidInput("lies outside the folder of the scene, " + shortened(folder.string()) +
                        "; copy it there, or run the scene by its path");
   }
@@ -152,11 +156,10 @@ void forMesh(const Scene& scene, std::size_t k, const Action& action) {
 
 }  // namespace
 
-void findMeshFiles(Scene& scene, const std::string& folder, bool confined) {
+void findMeshFiles(Scene& scene, const std::string& folder, MeshPlaces places) {
   for (std::size_t k = 0; k < scene.meshes.size(); ++k) {
     if (scene.meshes[k].triangles) continue;
-    forMesh(scene, k,
-            [&] { scene.meshes[k].file = pathOf(scene.meshes[k].file, folder, confined); });
+    forMesh(scene, k, [&] { scene.meshes[k].file = pathOf(scene.meshes[k].file, folder, places); });
   }
 }
 

@@ -10,11 +10,17 @@ namespace ice_ice_baby {
 /// Triangles beyond this are refused.
 constexpr std::size_t kMaxTriangles = 500000;
 
+/// Where the meshes of a scene may lie; package:// is always allowed.
+enum class MeshPlaces {
+  kAnywhere,
+  kFolder,    ///< only in the folder of the scene file
+  kPackages,  ///< only in packages
+};
+
 /// Replaces the file of each mesh by its absolute path; package:// stays, wherever it leads.
 /// @param folder of the scene file, which relative paths start from
-/// @param confined whether no file may lie outside that folder
-/// @throws InvalidInput for a file that does not exist or lies outside
-void findMeshFiles(Scene& scene, const std::string& folder, bool confined);
+/// @throws InvalidInput for a file that does not exist or that `places` excludes
+void findMeshFiles(Scene& scene, const std::string& folder, MeshPlaces places);
 
 /// Reads the triangles of each mesh that names a file.
 /// @throws InvalidInput naming the mesh, its file and what is wrong with it

@@ -112,19 +112,26 @@ Scene loadScene(const std::string& name_or_path, const std::vector<Override>& ov
   const bool by_path = isScenePath(name_or_path);
   const std::string file = by_path ? name_or_path : sceneFile(name_or_path);
   const std::string folder = std::filesystem::path(file).parent_path().string();
-  return parse(readSceneFile(file), overrides, {shortened(name_or_path), folder, !by_path});
+  return parse(
+      readSceneFile(file), overrides,
+      {shortened(name_or_path), folder, by_path ? MeshPlaces::kAnywhere : MeshPlaces::kFolder});
 }
 
 void completeScene(Scene& scene) {
   placeInFrames(scene);
-  findMeshFiles(scene, "", false);
+  findMeshFiles(scene, "", MeshPlaces::kAnywhere);
   readMeshFiles(scene);
   validate(scene);
 }
 
 Scene parseScene(const std::string& yaml, const std::vector<Override>& overrides,
                  const std::string& origin) {
-  return parse(yaml, overrides, {origin, "", false});
+  return parse(yaml, overrides, {origin, "", MeshPlaces::kAnywhere});
+}
+
+Scene parseForeignScene(const std::string& yaml, const std::vector<Override>& overrides,
+                        const std::string& origin) {
+  return parse(yaml, overrides, {origin, "", MeshPlaces::kPackages});
 }
 
 }  // namespace ice_ice_baby

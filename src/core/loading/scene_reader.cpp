@@ -6,7 +6,6 @@
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_keys.h"
 #include "loading/block_frames.h"
-#include "loading/mesh_files.h"
 #include "loading/renamed_keys.h"
 
 namespace ice_ice_baby {
@@ -175,6 +174,12 @@ void nameColliders(Scene& scene) {
   });
 }
 
+void nameGauges(Scene& scene) {
+  for (std::size_t k = 0; k < scene.gauges.size(); ++k) {
+    if (scene.gauges[k].name.empty()) scene.gauges[k].name = "gauge_" + std::to_string(k);
+  }
+}
+
 /// Puts a block of its own in place of every copy.
 void expandCopies(Scene& scene) {
   std::vector<Block> expanded;
@@ -225,9 +230,10 @@ Scene readScene(const YAML::Node& tree, const SceneHome& home) {
     applyPreset(scene, chosen.preset, chosen.fluid.spacing_m);
     read(tree, "", scene);
     nameColliders(scene);
+    nameGauges(scene);
     expandCopies(scene);
     placeInFrames(scene);
-    findMeshFiles(scene, home.folder, home.confined);
+    findMeshFiles(scene, home.folder, home.meshes);
     readMeshFiles(scene);
     validate(scene);
     return scene;

@@ -6,14 +6,15 @@
 #include <string>
 
 #include "ice_ice_baby/scene.h"
+#include "loading/mesh_files.h"
 
 namespace ice_ice_baby {
 
 /// Where a scene comes from.
 struct SceneHome {
-  std::string origin;     ///< its name in messages
-  std::string folder;     ///< from which paths of meshes start; "": the current one
-  bool confined = false;  ///< whether meshes have to lie in that folder
+  std::string origin;  ///< its name in messages
+  std::string folder;  ///< from which paths of meshes start; "": the current one
+  MeshPlaces meshes = MeshPlaces::kAnywhere;
 };
 
 /// @throws InvalidInput naming the origin, the key, the value and what is allowed

@@ -7,6 +7,7 @@
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_keys.h"
 #include "loading/bounds_check.h"
+#include "loading/gauges_check.h"
 #include "particles/kernels.h"
 #include "scene/lattice.h"
 #include "spawn/spawn_check.h"
@@ -168,6 +169,7 @@ void validate(const Scene& scene) {
   }
   requireThermal(scene);
   requireNames(scene);
+  requireGauges(scene);
   requireSweeps(scene);
   requireOneGoal(scene);
   requireBlocks(scene);

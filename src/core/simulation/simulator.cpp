@@ -86,6 +86,8 @@ const StepReport& Simulator<Real>::advanceFrame() {
   if (report_.substeps == 0 && wrench_meter_) {
     wrench_meter_->rest(1.0 / scene_.solver.frame_rate_hz);
   }
+  observeVessels();
+  if (vessel_tracker_) vessel_tracker_->endFrame(report_.time_s);
   report_.frame_wall_s = secondsSince(start);
   return report_;
 }

@@ -15,6 +15,7 @@
 #include "ice/springs.h"
 #include "ice/temperature.h"
 #include "ice_ice_baby/simulation.h"
+#include "measure/vessel_tracker.h"
 #include "particles/neighbours.h"
 #include "particles/particles.h"
 #include "simulation/phase_change.h"
@@ -40,10 +41,12 @@ class Simulator final : public Simulation {
   void placeColliders(const std::vector<ColliderPlacement>& placements) override;
   Posed colliderPose(const std::string& name) const override { return colliders_.pose(name); }
   void measureWrenches(bool measure) override;
-  std::vector<ColliderWrench> takeWrenches() override;
+  std::vector<ColliderWrench> wrenches() const override;
   void sample(std::vector<ParticleSample>& out, std::size_t stride) const override;
   void sampleSprings(std::vector<SpringSample>& out, std::size_t limit) const override;
   void sampleRelativeVolumes(std::vector<float>& out) const override;
+  void countFlows(bool on) override;
+  std::vector<VesselReport> vessels() const override;
   std::vector<StageStats> stages() const override;
   std::uint64_t stateHash() const override;
   Precision precision() const override;
@@ -116,6 +119,9 @@ class Simulator final : public Simulation {
   void applyViscosity(double dt_s);
   void updateTemperature(double time_s);
   void updateReport();
+  void observeVessels();
+  std::vector<VesselContent> vesselContents(const MeasuredVessels& vessels) const;
+  void addFlows(std::size_t vessel, double particle_m3, VesselReport& report) const;
   double elasticEnergy_j() const;
   void chooseSubsteps(double frame_wall_s);
   void updateSleep();
@@ -138,7 +144,7 @@ class Simulator final : public Simulation {
 
   Scene scene_;
   double mass_kg_;  ///< of a particle
-  tbb::task_arena arena_;
+  mutable tbb::task_arena arena_;
   std::vector<Spawn> spawns_;
   Particles<Real> particles_;
   Temperature temperature_;
@@ -148,6 +154,8 @@ class Simulator final : public Simulation {
   std::optional<Springs<Real>> springs_;
   std::optional<PhaseChange<Real>> phase_change_;  ///< with heat
   std::optional<WrenchMeter<Real>> wrench_meter_;  ///< while somebody asks for wrenches
+
+  std::optional<VesselTracker<Real>> vessel_tracker_;  ///< while flows are counted
 
   std::vector<char> displaced_;  ///< (n) scratch of separateCoincident
 
@@ -160,6 +168,7 @@ class Simulator final : public Simulation {
   StageClock position_clock_{"position"};
   StageClock velocity_clock_{"velocity"};
   StageClock viscosity_clock_{"viscosity"};
+  StageClock vessels_clock_{"vessels"};
   StageClock report_clock_{"report"};
 
   StepReport report_;

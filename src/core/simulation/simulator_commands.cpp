@@ -41,14 +41,14 @@ void Simulator<Real>::heatRegion(const HeatedRegion& region) {
 
 template <class Real>
 void Simulator<Real>::measureWrenches(bool measure) {
-  if (!measure) wrench_meter_.reset();
-  if (!measure || wrench_meter_) return;
+  if (!measure) return wrench_meter_.reset();
+  if (wrench_meter_) return wrench_meter_->restart();
   wrench_meter_.emplace(scene_, colliders_, phase_change_ ? &phase_change_->phases() : nullptr);
 }
 
 template <class Real>
-std::vector<ColliderWrench> Simulator<Real>::takeWrenches() {
-  return wrench_meter_ ? wrench_meter_->take() : std::vector<ColliderWrench>();
+std::vector<ColliderWrench> Simulator<Real>::wrenches() const {
+  return wrench_meter_ ? wrench_meter_->mean() : std::vector<ColliderWrench>();
 }
 
 template <class Real>
@@ -106,6 +106,7 @@ void Simulator<Real>::placeColliders(const std::vector<ColliderPlacement>& place
   }
   if (jumps.empty()) return;
   arena_.execute([&] { carryAlong(jumps); });
+  observeVessels();
   wake();
 }
 

@@ -40,6 +40,7 @@ void Simulator<Real>::reorder(const std::vector<Index>& order) {
   fluid_->reorder(order);
   if (springs_) springs_->renumber(order);
   if (phase_change_) phase_change_->reorder(order);
+  if (vessel_tracker_) vessel_tracker_->reorder(order);
 }
 
 /// Coincident particles have no direction in which to separate, so all but the first are displaced

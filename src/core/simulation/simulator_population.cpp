@@ -73,6 +73,7 @@ std::uint32_t Simulator<Real>::addParticles(const std::vector<Vec3d>& position_m
   if (count == 0) return first_id;
   particles_.add(position_m, velocity_m_s);
   if (phase_change_) phase_change_->add(count, celsius);
+  if (vessel_tracker_) vessel_tracker_->add(count);
   arena_.execute([&] {
     renewNeighbours();
     if (springs_ && springs_->kept()) {
@@ -122,6 +123,7 @@ void Simulator<Real>::followParticles() {
   if (neighbours_.coincident()) particles_.position = particles_.predicted;
   if (phase_change_) phase_change_->followParticles(particles_, neighbours_);
   fluid_->updateDensity(particles_, neighbours_);
+  observeVessels();
   report_.particles = particles_.owned();
   report_.springs = springs_ ? springs_->size() : 0;
   report_.asleep = false;

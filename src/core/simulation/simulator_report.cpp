@@ -113,6 +113,7 @@ std::vector<StageStats> Simulator<Real>::stages() const {
   if (fluid_->viscous()) list.push_back(viscosity_clock_.stats(fluid_->viscosityBytes()));
   if (phase_change_) list.push_back(phase_change_->heatStage());
   if (phase_change_) list.push_back(phase_change_->phasesStage());
+  if (vessel_tracker_) list.push_back(vessels_clock_.stats(vessel_tracker_->bytes()));
   list.push_back(report_clock_.stats(0));
   return list;
 }

@@ -202,15 +202,19 @@ void WrenchMeter<Real>::rest(double time_s) {
 }
 
 template <class Real>
-std::vector<ColliderWrench> WrenchMeter<Real>::take() {
+void WrenchMeter<Real>::restart() {
+  std::fill(given_.begin(), given_.end(), Impulse());
+  time_s_ = 0.0;
+}
+
+template <class Real>
+std::vector<ColliderWrench> WrenchMeter<Real>::mean() const {
   std::vector<ColliderWrench> wrenches;
   const double share = time_s_ > 0 ? 1 / time_s_ : 0.0;
   for (std::size_t c = 0; c < given_.size(); ++c) {
     const Impulse mean = given_[c] * share;
     wrenches.push_back({colliders_[c].name, mean.linear, mean.angular});
-    given_[c] = {};
   }
-  time_s_ = 0.0;
   return wrenches;
 }
 

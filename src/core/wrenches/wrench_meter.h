@@ -45,8 +45,10 @@ class WrenchMeter {
   /// Passes time in which nothing moves and the wrenches stay what they were.
   void rest(double time_s);
 
-  /// One per collider, in their order: the mean since the latest call.
-  std::vector<ColliderWrench> take();
+  /// Starts a new mean.
+  void restart();
+  /// One per collider, in their order: the mean since the start.
+  std::vector<ColliderWrench> mean() const;
 
  private:
   Impulse momentumOf(const Particles<Real>& particles) const;
@@ -64,9 +66,9 @@ class WrenchMeter {
   Impulse weight_;     ///< force and torque of gravity
   std::vector<Impulse> known_;   ///< (colliders) of this substep, times dt
   std::vector<Impulse> walls_;   ///< (colliders) part of the density of walls in it, times dt
-  std::vector<Impulse> given_;   ///< (colliders) since the latest take, in their own frames
+  std::vector<Impulse> given_;   ///< (colliders) since the start, in their own frames
   std::vector<Impulse> latest_;  ///< (colliders) mean force of the latest substep, own frames
-  double time_s_ = 0.0;          ///< since the latest take
+  double time_s_ = 0.0;          ///< since the start
   VectorField<Real> pushes_;
   std::vector<WallLoad<Real>> loads_;
 };

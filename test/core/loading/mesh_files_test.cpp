@@ -146,6 +146,15 @@ TEST_F(MeshFilesTest, OfASceneByNameStayInItsFolder) {
   EXPECT_SAYS(said, "lies outside the folder of the scene");
 }
 
+TEST_F(MeshFilesTest, OfASceneAsTextLieInPackages) {
+  for (const std::string& file : {(folder_ / "scenes" / "cube.obj").string(),
+                                  std::string("/no/such/file.obj"), std::string("cube.obj")}) {
+    const std::string said =
+        test::refusalOf([&] { parseForeignScene("meshes: [{file: " + file + "}]"); });
+    EXPECT_SAYS(said, "must begin with package://, because this scene came as text");
+  }
+}
+
 TEST_F(MeshFilesTest, OfAPackageStayInIt) {
   fs::create_directories(folder_ / "cups" / "meshes");
   std::ofstream(folder_ / "cups" / "package.xml") << "<package/>";

@@ -23,7 +23,7 @@ std::map<std::string, ColliderWrench> measured(Simulation& simulation, double se
   simulation.measureWrenches(true);
   advance(simulation, measured_s);
   std::map<std::string, ColliderWrench> wrenches;
-  for (const ColliderWrench& wrench : simulation.takeWrenches()) wrenches[wrench.name] = wrench;
+  for (const ColliderWrench& wrench : simulation.wrenches()) wrenches[wrench.name] = wrench;
   return wrenches;
 }
 
@@ -47,7 +47,6 @@ Scene pool(double spacing_m, const Vec3d& size_m) {
 template <class Prepare>
 void expectMomentumKept(Scene scene, int frames, const Prepare& eachFrame) {
   Simulator<double> simulation(scene, 2);
-  simulation.measureWrenches(true);
   const auto momentum = [&] {
     Vec3d sum = Vec3d::Zero();
     for (std::size_t i = 0; i < simulation.particles().size(); ++i) {
@@ -58,9 +57,10 @@ void expectMomentumKept(Scene scene, int frames, const Prepare& eachFrame) {
   for (int frame = 0; frame < frames; ++frame) {
     const Vec3d before = momentum();
     eachFrame(simulation, frame);
+    simulation.measureWrenches(true);
     simulation.advanceFrame();
     Vec3d sum = Vec3d::Zero();
-    for (const ColliderWrench& one : simulation.takeWrenches()) {
+    for (const ColliderWrench& one : simulation.wrenches()) {
       sum += simulation.colliderPose(one.name).rotation * one.force_n;
     }
     const double time_s = 1 / scene.solver.frame_rate_hz;
@@ -159,7 +159,7 @@ TEST(WrenchMeterTest, ACupWeighsItsWaterAlsoWhileItIsCarried) {
     simulation->moveCollider("tank", pose);
     simulation->advanceFrame();
   }
-  const ColliderWrench tank = simulation->takeWrenches()[0];
+  const ColliderWrench tank = simulation->wrenches()[0];
   EXPECT_NEAR(-tank.force_n.z() / (mass_kg(*simulation) * (kGravity_m_s2 + up_m_s2)), 1, 0.005);
 }
 
@@ -189,10 +189,10 @@ TEST(WrenchMeterTest, WaterHoldsBackABallThatIsDrawnThroughIt) {
     pose.position.x() += 0.8 / 60;
     simulation->moveCollider("ball", pose);
     simulation->advanceFrame();
-    if (frame == 10) simulation->takeWrenches();
+    if (frame == 10) simulation->measureWrenches(true);
   }
   const double drag_n = 0.5 * kWater_kg_m3 * M_PI * 0.05 * 0.05 * 0.8 * 0.8;
-  const double share = -simulation->takeWrenches()[1].force_n.x() / drag_n;
+  const double share = -simulation->wrenches()[1].force_n.x() / drag_n;
   EXPECT_GT(share, 0.1);
   EXPECT_LT(share, 3);
 }
@@ -217,16 +217,16 @@ TEST(WrenchMeterTest, IceThatRestsOnAPlateWeighsOnIt) {
 TEST(WrenchMeterTest, NothingIsMeasuredUnlessSomebodyAsks) {
   const auto simulation = makeSimulation(pool(0.05, {0.3, 0.3, 0.3}), Precision::kFloat, 1);
   const auto other = makeSimulation(pool(0.05, {0.3, 0.3, 0.3}), Precision::kFloat, 1);
-  EXPECT_TRUE(simulation->takeWrenches().empty());
+  EXPECT_TRUE(simulation->wrenches().empty());
   other->measureWrenches(true);
   for (int frame = 0; frame < 10; ++frame) {
     simulation->advanceFrame();
     other->advanceFrame();
   }
   EXPECT_EQ(simulation->stateHash(), other->stateHash());
-  EXPECT_EQ(other->takeWrenches().size(), 1u);
+  EXPECT_EQ(other->wrenches().size(), 1u);
   other->measureWrenches(false);
-  EXPECT_TRUE(other->takeWrenches().empty());
+  EXPECT_TRUE(other->wrenches().empty());
 }
 
 }  // namespace wrench_meter_test
