@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ice_ice_baby/collider_params.h"
+#include "ice_ice_baby/flow_params.h"
 #include "ice_ice_baby/params.h"
 
 namespace ice_ice_baby {
@@ -84,6 +85,8 @@ struct Scene : ColliderLists {
   std::vector<TemperatureEvent> schedule;
   std::vector<Block> blocks;
   std::vector<Gauge> gauges;
+  std::vector<Source> sources;
+  std::vector<Drain> drains;
 
   /// Support radius h in force, m, with 0 resolved.
   double supportRadius_m() const;

@@ -73,6 +73,9 @@ void describe(Scene& s, Visitor&& visit) {
   visit.section("limits", s.limits, "limits");
   visit.list("schedule", s.schedule, "temperature over time");
   visit.list("blocks", s.blocks, "the water");
+  visit.list("sources", s.sources, "discs that water flows out of");
+  visit.list("drains", s.drains,
+             "boxes that remove water and steam, but no ice, at the end of each frame");
   forEachColliderList(
       s, [&](auto& list, const ColliderKind& kind) { visit.list(kind.key, list, kind.meaning); });
   visit.list("gauges", s.gauges, "boxes without walls in which the water is measured");

@@ -74,6 +74,11 @@ class Simulation {
   /// the ranges of requireHeatedRegion, and if kMaxHeatedRegions are already active
   virtual void heatRegion(const HeatedRegion& region) = 0;
 
+  /// Turns a source on or off and changes its flow from now on. scene() has the values in force.
+  /// @param flow_l_min litres per minute; 0: unchanged
+  /// @throws InvalidInput as requireSource
+  virtual void setSource(const std::string& name, bool on, double flow_l_min = 0.0) = 0;
+
   /// @throws InvalidInput outside [-1e4, 1e4] m/s^2
   virtual void setGravity(const Vec3d& gravity_m_s2) = 0;
 
@@ -136,11 +141,14 @@ std::unique_ptr<Simulation> makeSimulation(const Scene& scene,
                                            Precision precision = Precision::kFloat,
                                            int threads = 0);
 
-/// The checks of setTemperature, setGravity and moveCollider, for callers that queue these calls.
+/// The checks of setTemperature, setGravity and other commands, for callers that queue these calls.
 void requireTemperature(double celsius, double ramp_s);
 void requireTarget(const Scene& scene, const std::string& target);
 /// Checks sizes (0 to 200 m), power (-1e9 to 1e9 W) and duration (0 to 1e6 s).
 void requireHeatedRegion(const Scene& scene, const HeatedRegion& region);
 void requireGravity(const Vec3d& gravity_m_s2);
+/// @throws InvalidInput for a name that is no source of the scene, and for a flow that is negative,
+/// not finite, or faster through the disc than solver.max_speed_m_s
+void requireSource(const Scene& scene, const std::string& name, double flow_l_min);
 
 }  // namespace ice_ice_baby

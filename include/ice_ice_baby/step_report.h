@@ -20,6 +20,13 @@ void describeReproducible(Visitor&& visit, Records&... r) {
   visit("time_s", r.time_s..., "simulated since the start of the scene");
   visit("particles", r.particles..., "in the scene");
   visit("spilled", r.spilled..., "particles that left the bounds of the scene, since the start");
+  visit("poured", r.poured..., "particles that came out of sources, since the start");
+  visit(
+      "blocked", r.blocked...,
+      "particles that could not come out because water or a solid was in the way, since the start");
+  visit("sources_stopped", r.sources_stopped...,
+        "sources that are on but stopped, because of limits.max_particles");
+  visit("drained", r.drained..., "particles that drains removed, since the start");
   visit("springs", r.springs..., "between particles");
   visit("temperature_c", r.temperature_c...,
         "degrees Celsius, of the whole scene; with heat that of the air");
@@ -74,6 +81,10 @@ struct StepReport {
   double time_s = 0.0;
   std::size_t particles = 0;
   std::uint64_t spilled = 0;
+  std::uint64_t poured = 0;
+  std::uint64_t blocked = 0;
+  std::size_t sources_stopped = 0;
+  std::uint64_t drained = 0;
   std::size_t springs = 0;
   double temperature_c = 0.0;
   double strictness = 0.0;

@@ -73,6 +73,7 @@ void Diagnostics::solver(Status& status) {
     status.mergeSummary(Level::WARN, "an accepted command failed: " + now.refusal);
   }
   addHeat(status, now);
+  addSources(status, now);
   if (!now.failure.empty()) {
     status.summary(Level::ERROR, "paused because a frame failed: " + now.failure);
   }
@@ -81,6 +82,15 @@ void Diagnostics::solver(Status& status) {
            [&](const char* name, const auto& value, const char*) { status.add(name, value); });
   status.add("speed limited since the last message", limited);
   status.add("corrections cut since the last message", cut);
+}
+
+/// The log gets the warning once, diagnostics as long as it holds.
+void Diagnostics::addSources(Status& status, const Snapshot& now) {
+  const bool warned = sources_warned_;
+  sources_warned_ = !now.source_warning.empty();
+  if (!sources_warned_) return;
+  status.mergeSummary(Level::WARN, now.source_warning);
+  if (!warned) ROS_WARN("%s", now.source_warning.c_str());
 }
 
 void Diagnostics::speed(Status& status) {

@@ -32,6 +32,7 @@ class Diagnostics {
 
   void solver(Status& status);
   void speed(Status& status);
+  void addSources(Status& status, const Snapshot& now);
   void addRobot(Status& status, const Snapshot& now);
   void topics(Status& status);
   void followers(Status& status);
@@ -49,6 +50,7 @@ class Diagnostics {
   std::uint64_t bounded_ = 0;
   std::uint64_t waits_ = 0;
   bool robot_warned_ = false;
+  bool sources_warned_ = false;
   bool clock_missed_ = false;
   ros::WallTimer timer_;
 };

@@ -20,6 +20,14 @@ std::string targetText(const Scene& scene, const std::string& target) {
   return scene.thermal.enabled ? "air" : "the whole scene";
 }
 
+/// Flow of a source whether on or off; 0 without such a source.
+double flowOf_l_min(const Snapshot& snapshot, const std::string& name) {
+  for (const Source& source : snapshot.sources) {
+    if (source.name == name) return source.flowInForce_m3_s() * kLitresPerMinute;
+  }
+  return 0.0;
+}
+
 std::string vectorText(const Vec3d& vector) {
   return "[" + numberText(vector.x()) + ", " + numberText(vector.y()) + ", " +
          numberText(vector.z()) + "]";
@@ -45,6 +53,7 @@ Services::Services(ros::NodeHandle& node, const NodeParameters& parameters,
               node.advertiseService("set_temperature", &Services::setTemperature, this),
               node.advertiseService("heat_region", &Services::heatRegion, this),
               node.advertiseService("set_gravity", &Services::setGravity, this),
+              node.advertiseService("set_source", &Services::setSource, this),
               node.advertiseService("reset", &Services::reset, this),
               node.advertiseService("pause", &Services::pause, this),
               node.advertiseService("resume", &Services::resume, this),
@@ -87,6 +96,16 @@ bool Services::setGravity(SetGravity::Request& request, SetGravity::Response& re
     simulation_.setGravity(vectorOf(request.gravity));
     response.gravity = request.gravity;
     return std::string("gravity set");
+  });
+}
+
+bool Services::setSource(SetSource::Request& request, SetSource::Response& response) {
+  response.flow_l_min = flowOf_l_min(simulation_.snapshot(), request.name);
+  return answer(response, [&] {
+    simulation_.setSource(request.name, request.on, request.flow_l_min);
+    if (request.flow_l_min > 0.0) response.flow_l_min = request.flow_l_min;
+    return "source " + request.name + " is " + (request.on ? "on" : "off") + ", " +
+           numberText(response.flow_l_min) + " l/min";
   });
 }
 

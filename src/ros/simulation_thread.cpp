@@ -6,6 +6,7 @@
 
 #include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
+#include "ice_ice_baby/source_warning.h"
 
 namespace ice_ice_baby {
 
@@ -53,6 +54,11 @@ void SimulationThread::heatRegion(const HeatedRegion& region) {
 void SimulationThread::setGravity(const Vec3d& gravity_m_s2) {
   requireGravity(gravity_m_s2);
   post(Kind::kChange, [=] { simulation_->setGravity(gravity_m_s2); });
+}
+
+void SimulationThread::setSource(const std::string& name, bool on, double flow_l_min) {
+  requireSource(comingScene()->scene, name, flow_l_min);
+  post(Kind::kChange, [=] { simulation_->setSource(name, on, flow_l_min); });
 }
 
 void SimulationThread::reset(const ServedScene& scene) {
@@ -256,6 +262,8 @@ void SimulationThread::updateSnapshot() {
   latest_.thermal = scene.thermal.enabled;
   latest_.thermal_speedup_wanted = scene.thermal.speedup;
   latest_.gravity_m_s2 = scene.gravity_m_s2;
+  latest_.sources = scene.sources;
+  latest_.source_warning = sourceWarning(scene, latest_.report);
   latest_.real_time_factor = latest_.paused ? 0.0 : real_time_factor_.value();
   const std::lock_guard<std::mutex> lock(mutex_);
   snapshot_ = latest_;

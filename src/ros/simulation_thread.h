@@ -26,6 +26,8 @@ struct Snapshot {
   bool thermal = false;                 ///< whether each particle has a temperature of its own
   double thermal_speedup_wanted = 0.0;  ///< thermal.speedup of the scene
   std::vector<std::string> colliders;   ///< names
+  std::vector<Source> sources;          ///< with the values in force
+  std::string source_warning;           ///< see sourceWarning
   bool paused = false;
   double real_time_factor = 0.0;
   double simulated_s = 0.0;              ///< since the node started, over every reset
@@ -92,6 +94,8 @@ class SimulationThread {
   void setTemperature(double celsius, double ramp_s, const std::string& target = "");
   void heatRegion(const HeatedRegion& region);
   void setGravity(const Vec3d& gravity_m_s2);
+  /// @param flow_l_min see Simulation::setSource
+  void setSource(const std::string& name, bool on, double flow_l_min = 0.0);
   /// @param scene from loadScene, so already valid
   void reset(const ServedScene& scene);
   /// Replaces the simulation by this one.

@@ -112,7 +112,7 @@ std::string instability(const RunRecord& record, const StepReport& report) {
   if (record.escaped > 0) {
     return std::to_string(record.escaped) + " particles left a closed container";
   }
-  const std::uint64_t all = report.particles + report.spilled;
+  const std::uint64_t all = report.particles + report.spilled + report.drained;
   if (2 * record.max_speed_limited > all && report.particles > 0) {
     return "the speed limit had to slow more than half of all particles within one frame";
   }

@@ -14,6 +14,7 @@
 #include "ice_ice_baby/mesh_warnings.h"
 #include "ice_ice_baby/quality_warning.h"
 #include "ice_ice_baby/scene_loader.h"
+#include "ice_ice_baby/source_warning.h"
 #include "output_space.h"
 #include "run_report.h"
 #include "series_writer.h"
@@ -129,6 +130,22 @@ void warnOfQuality(const StepReport& report) {
   if (!warning.empty()) std::fprintf(stderr, "run_scene: warning: %s\n", warning.c_str());
 }
 
+void warnOfSources(const Simulation& simulation) {
+  const std::string warning = sourceWarning(simulation.scene(), simulation.report());
+  if (!warning.empty()) std::fprintf(stderr, "run_scene: warning: %s\n", warning.c_str());
+}
+
+/// Particles that came or left, if any.
+void printPopulation(const StepReport& report) {
+  const auto print = [](std::uint64_t count, const char* what) {
+    if (count > 0) std::printf("%llu particles %s\n", static_cast<unsigned long long>(count), what);
+  };
+  print(report.spilled, "left the bounds of the scene");
+  print(report.poured, "came out of sources");
+  print(report.blocked, "could not come out of sources: water or a solid was in the way");
+  print(report.drained, "were removed by drains");
+}
+
 void printSummary(const Simulation& simulation, const RunRecord& record) {
   const StepReport& report = simulation.report();
   std::printf(
@@ -140,11 +157,9 @@ void printSummary(const Simulation& simulation, const RunRecord& record) {
       record.samples > 0 ? 1e3 * record.wall_time_s / double(record.samples) : 0.0,
       100 * record.density_error_mean, 100 * record.density_error_max, report.springs,
       report.rms_speed_m_s, report.asleep ? ", asleep" : "");
-  if (report.spilled > 0) {
-    std::printf("%llu particles left the bounds of the scene\n",
-                static_cast<unsigned long long>(report.spilled));
-  }
-  warnOfLimits(simulation.scene(), report.particles + report.spilled, record);
+  printPopulation(report);
+  warnOfLimits(simulation.scene(), report.particles + report.spilled + report.drained, record);
+  warnOfSources(simulation);
   warnOfQuality(simulation.report());
 }
 
@@ -181,6 +196,11 @@ void requireOutputs(const Options& options, const Scene& scene, double end_s) {
   if (outputs.autosave_s > 0.0 && outputs.save.empty()) {
     throw InvalidInput("--autosave needs --save FILE, which says where to");
   }
+  if (!outputs.record.empty() && !scene.sources.empty()) {
+    throw InvalidInput("--record writes one column per particle of the start, and scene " +
+                       scene.name +
+                       " has sources, which add particles; use --particles or --series");
+  }
   requireDiskSpace(outputs, scene, end_s);
   if (!outputs.save.empty()) requireSavable(outputs.save);
   if (!options.report.empty()) requireWritable(options.report, "report");
@@ -199,8 +219,9 @@ int runScene(const Options& options) {
   const auto simulation = makeOrLoad(options);
   const double end_s = options.duration_s.value_or(simulation->scene().duration_s);
   requireOutputs(options, simulation->scene(), end_s);
-  if (simulation->report().particles == 0) {
-    std::fprintf(stderr, "run_scene: warning: scene \"%s\" holds no water: it has no blocks\n",
+  if (simulation->report().particles == 0 && simulation->scene().sources.empty()) {
+    std::fprintf(stderr,
+                 "run_scene: warning: scene \"%s\" holds no water: it has no blocks or sources\n",
                  simulation->scene().name.c_str());
   }
   for (const std::string& warning : meshWarnings(simulation->scene())) {

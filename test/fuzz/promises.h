@@ -11,10 +11,10 @@ namespace ice_ice_baby::fuzz {
 /// A refusal must be one printable line of readable length.
 void requireReadable(const std::string& message);
 
-/// Particles in the scene and those that left its bounds.
+/// Particles in the scene and those that left it, without those that sources added.
 std::size_t particlesEver(const Simulation& simulation);
 
-/// Every particle must be there, or counted as spilled, and finite.
+/// Every particle must be there, or counted as spilled or drained, and finite.
 /// @param particles particlesEver at the start
 void requireWhole(const Simulation& simulation, std::size_t particles);
 

@@ -18,6 +18,7 @@ try:
         Reset,
         Save,
         SetGravity,
+        SetSource,
         SetTemperature,
         Step,
     )
@@ -32,6 +33,7 @@ TYPES = {
     "reset": Reset,
     "save": Save,
     "set_gravity": SetGravity,
+    "set_source": SetSource,
     "set_temperature": SetTemperature,
     "step": Step,
     "pause": Trigger,

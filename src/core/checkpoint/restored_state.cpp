@@ -199,6 +199,19 @@ void SubstepControl::restore() const {
                "number of substeps out of range");
 }
 
+void Sources::restore() const {
+  for (const Outflow& one : outflows_) {
+    requireValid(within(one.progress, 0.0, 1.0) && allWithin(one.waiting, 0.0, 1.0) &&
+                     one.waiting.size() == one.outlet.sites.size(),
+                 "source out of range");
+  }
+}
+
+void Drains::restore(const Scene& scene) const {
+  requireValid(allowance_.size() == scene.drains.size() && allWithin(allowance_, 0.0, 1.0),
+               "drain out of range");
+}
+
 template <class Real>
 void Simulator<Real>::restore(std::size_t n) {
   particles_.restore(n);
@@ -208,7 +221,13 @@ void Simulator<Real>::restore(std::size_t n) {
   requireValid(within(strictness_, 0.0, 1.0), "strictness out of range");
   requireValid(still_s_ >= 0.0 && report_.time_s >= 0.0 && within(report_.substeps, 0, 1000),
                "time out of range");
-  requireValid(report_.spilled <= particles_.next_id - n, "more particles spilled than there were");
+  const std::uint64_t gone = particles_.next_id - n;
+  requireValid(report_.spilled <= gone && report_.drained <= gone - report_.spilled,
+               "more particles left than there were");
+  requireValid(report_.poured <= particles_.next_id - spawned(),
+               "more particles came out of sources than there were");
+  if (sources_) sources_->restore();
+  if (drains_) drains_->restore(scene_);
   temperature_.restore();
   report_.particles = n;
   report_.springs = springs_ ? springs_->size() : 0;

@@ -44,6 +44,8 @@ void Simulator<Real>::exchange(Self& self, Archive& archive) {
   if (self.phase_change_) PhaseChange<Real>::exchangeTimes(*self.phase_change_, archive);
   if (!self.phase_change_) NoPhaseChange::exchangeTimes(none, archive);
   none.restore();
+  if (self.sources_) archive(*self.sources_);
+  if (self.drains_) archive(*self.drains_);
   archive(self.still_s_, self.colliders_moving_, self.report_.asleep);
 }
 

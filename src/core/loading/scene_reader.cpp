@@ -165,13 +165,19 @@ class Reader {
   std::vector<std::string> known_;
 };
 
-/// Colliders without a name are called container_0, plane_1 and so on.
-void nameColliders(Scene& scene) {
-  forEachColliderList(scene, [](auto& list, const ColliderKind& kind) {
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      if (list[k].name.empty()) list[k].name = std::string(kind.noun) + "_" + std::to_string(k);
-    }
-  });
+template <class Item>
+void nameItems(std::vector<Item>& list, const std::string& noun) {
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    if (list[k].name.empty()) list[k].name = noun + "_" + std::to_string(k);
+  }
+}
+
+/// What has no name is called container_0, plane_1, source_0 and so on.
+void nameAll(Scene& scene) {
+  forEachColliderList(scene,
+                      [](auto& list, const ColliderKind& kind) { nameItems(list, kind.noun); });
+  nameItems(scene.sources, "source");
+  nameItems(scene.drains, "drain");
 }
 
 void nameGauges(Scene& scene) {
@@ -229,7 +235,7 @@ Scene readScene(const YAML::Node& tree, const SceneHome& home) {
     Scene scene;
     applyPreset(scene, chosen.preset, chosen.fluid.spacing_m);
     read(tree, "", scene);
-    nameColliders(scene);
+    nameAll(scene);
     nameGauges(scene);
     expandCopies(scene);
     placeInFrames(scene);

@@ -7,6 +7,7 @@
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_keys.h"
 #include "loading/bounds_check.h"
+#include "loading/flow_check.h"
 #include "loading/gauges_check.h"
 #include "particles/kernels.h"
 #include "scene/lattice.h"
@@ -174,6 +175,7 @@ void validate(const Scene& scene) {
   requireOneGoal(scene);
   requireBlocks(scene);
   requireBounds(scene);
+  requireFlow(scene);
   requireFluid(scene);
   requireFreeSpawn(scene);
 }

@@ -48,6 +48,8 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
     phase_change_.emplace(scene_, spawns_, colliders_, springs_);
   }
   fluid_.emplace(scene, colliders_, phase_change_ ? &phase_change_->phases() : nullptr);
+  if (!scene.sources.empty()) sources_.emplace(scene);
+  if (!scene.drains.empty()) drains_.emplace(scene);
   updateTemperature(0.0);
   arena_.execute([&] {
     findNeighbours();
@@ -74,6 +76,7 @@ const StepReport& Simulator<Real>::advanceFrame() {
     arena_.execute([&] {
       runSubsteps();
       removeSpilled();
+      if (drains_) drains_clock_.run([&] { drain(); });
       if (phase_change_) {
         phase_change_->advance(particles_, neighbours_, temperature_.celsius());
       }
@@ -115,6 +118,7 @@ void Simulator<Real>::runSubsteps() {
     if (wrench_meter_) wrench_meter_->begin(particles_);
     substep(dt_s);
     if (wrench_meter_) endWrenches(dt_s);
+    if (sources_) sources_clock_.run([&] { pour(dt_s); });
   }
   report_.speed_limited += bodiesLimited() - limited_before;
   report_.correction_limited = fluid_->correctionsLimited() - cut_before;

@@ -11,6 +11,8 @@
 #include "base/archive.h"
 #include "base/stage_clock.h"
 #include "colliders/colliders.h"
+#include "flow/drains.h"
+#include "flow/sources.h"
 #include "fluid/fluid.h"
 #include "ice/springs.h"
 #include "ice/temperature.h"
@@ -36,6 +38,7 @@ class Simulator final : public Simulation {
   const Scene& scene() const override { return scene_; }
   void setTemperature(double celsius, double ramp_s, const std::string& target) override;
   void heatRegion(const HeatedRegion& region) override;
+  void setSource(const std::string& name, bool on, double flow_l_min) override;
   void setGravity(const Vec3d& gravity_m_s2) override;
   void moveCollider(const std::string& name, const Posed& pose) override;
   void placeColliders(const std::vector<ColliderPlacement>& placements) override;
@@ -97,6 +100,14 @@ class Simulator final : public Simulation {
   void reorder(const std::vector<Index>& order);
   void separateCoincident();
   void removeSpilled();
+  std::size_t remove(const std::vector<char>& gone);
+  double room() const;
+  void pour(double dt_s);
+  void drain();
+  void pourFrom(std::size_t k, const std::vector<Drop>& drops);
+  void pushAlong(Index i, const Vec3d& velocity_m_s);
+  bool fluidAt(Index i) const;
+  void settleNew(std::uint32_t first_id);
   void followParticles();
   void makeSprings();
   void correctSprings(double dt_s, int iteration);
@@ -157,6 +168,9 @@ class Simulator final : public Simulation {
 
   std::optional<VesselTracker<Real>> vessel_tracker_;  ///< while flows are counted
 
+  std::optional<Sources> sources_;  ///< if the scene has any
+  std::optional<Drains> drains_;    ///< if the scene has any
+
   std::vector<char> displaced_;  ///< (n) scratch of separateCoincident
 
   StageClock predict_clock_{"predict"};
@@ -169,6 +183,8 @@ class Simulator final : public Simulation {
   StageClock velocity_clock_{"velocity"};
   StageClock viscosity_clock_{"viscosity"};
   StageClock vessels_clock_{"vessels"};
+  StageClock sources_clock_{"sources"};
+  StageClock drains_clock_{"drains"};
   StageClock report_clock_{"report"};
 
   StepReport report_;

@@ -52,6 +52,20 @@ std::vector<ColliderWrench> Simulator<Real>::wrenches() const {
 }
 
 template <class Real>
+void Simulator<Real>::setSource(const std::string& name, bool on, double flow_l_min) {
+  requireSource(scene_, name, flow_l_min);
+  const auto source = std::find_if(scene_.sources.begin(), scene_.sources.end(),
+                                   [&](const Source& one) { return one.name == name; });
+  source->on = on;
+  if (flow_l_min > 0.0) {
+    source->flow_l_min = flow_l_min;
+    source->speed_m_s = 0.0;
+  }
+  report_.sources_stopped = sources_->stopped(scene_, room());
+  if (on) wake();
+}
+
+template <class Real>
 void Simulator<Real>::setGravity(const Vec3d& gravity_m_s2) {
   requireGravity(gravity_m_s2);
   if (still(gravity_m_s2, scene_.gravity_m_s2)) return;
@@ -140,6 +154,20 @@ void requireHeatedRegion(const Scene& scene, const HeatedRegion& region) {
   }
   requireInRange("power in watts", region.power_w, -1e9, 1e9);
   requireInRange("duration in seconds", region.duration_s, 0.0, 1e6);
+}
+
+void requireSource(const Scene& scene, const std::string& name, double flow_l_min) {
+  std::vector<std::string> names;
+  for (const Source& source : scene.sources) names.push_back(source.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    throw InvalidInput("no source \"" + shortened(name) + "\"; scene " + scene.name +
+                       (names.empty() ? " has none" : " has: " + joined(names)));
+  }
+  const Source& source = scene.sources[std::size_t(found - names.begin())];
+  const double fastest_l_min = scene.solver.max_speed_m_s * source.area_m2() * kLitresPerMinute;
+  requireInRange("flow of source " + name + " in l/min", flow_l_min, 0.0,
+                 std::min(fastest_l_min, kFlowRange_l_min.max));
 }
 
 void requireGravity(const Vec3d& gravity_m_s2) {

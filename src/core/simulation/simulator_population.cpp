@@ -74,24 +74,37 @@ std::uint32_t Simulator<Real>::addParticles(const std::vector<Vec3d>& position_m
   particles_.add(position_m, velocity_m_s);
   if (phase_change_) phase_change_->add(count, celsius);
   if (vessel_tracker_) vessel_tracker_->add(count);
-  arena_.execute([&] {
-    renewNeighbours();
-    if (springs_ && springs_->kept()) {
-      const double reach_m = scene_.springs.reach_h * scene_.supportRadius_m();
-      springs_->joinNew(particles_, neighbours_, static_cast<Real>(reach_m), first_id);
-    }
-    followParticles();
-  });
+  arena_.execute([&] { settleNew(first_id); });
   return first_id;
+}
+
+/// Makes the particles from `first_id` on, which were appended, part of everything else.
+template <class Real>
+void Simulator<Real>::settleNew(std::uint32_t first_id) {
+  renewNeighbours();
+  if (springs_ && springs_->kept()) {
+    const double reach_m = scene_.springs.reach_h * scene_.supportRadius_m();
+    springs_->joinNew(particles_, neighbours_, static_cast<Real>(reach_m), first_id);
+  }
+  followParticles();
 }
 
 template <class Real>
 std::size_t Simulator<Real>::removeParticles(
     const std::function<bool(std::uint32_t id, const Vec3d& position_m)>& goes) {
   std::vector<char> gone(particles_.size(), false);
-  std::vector<Index> stay;
   for (Index i = 0; i < particles_.size(); ++i) {
     gone[i] = goes(particles_.id[i], particles_.position.at(i).template cast<double>());
+  }
+  return remove(gone);
+}
+
+/// @param gone (n) whether a particle is removed
+/// @return number of particles removed
+template <class Real>
+std::size_t Simulator<Real>::remove(const std::vector<char>& gone) {
+  std::vector<Index> stay;
+  for (Index i = 0; i < particles_.size(); ++i) {
     if (!gone[i]) stay.push_back(i);
   }
   const std::size_t went = gone.size() - stay.size();

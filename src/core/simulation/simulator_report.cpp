@@ -114,6 +114,8 @@ std::vector<StageStats> Simulator<Real>::stages() const {
   if (phase_change_) list.push_back(phase_change_->heatStage());
   if (phase_change_) list.push_back(phase_change_->phasesStage());
   if (vessel_tracker_) list.push_back(vessels_clock_.stats(vessel_tracker_->bytes()));
+  if (sources_) list.push_back(sources_clock_.stats(sources_->bytes()));
+  if (drains_) list.push_back(drains_clock_.stats(drains_->bytes()));
   list.push_back(report_clock_.stats(0));
   return list;
 }

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <unordered_map>
 
+#include "base/point_grid.h"
+#include "flow/outlet.h"
 #include "ice_ice_baby/errors.h"
 #include "spawn/spawn_points.h"
 
@@ -51,17 +52,30 @@ class NamedSolids {
     });
     const std::string cure = "; change " + key + ".min_m or max_m, or " + keys_[k] +
                              ".position_m, or set " + key + ".carve to true";
-    if (within > 0) {
-      throw InvalidInput(key + ": " + shareText(within, all) + " inside " +
-                         (solids_.hollow(k) ? "the wall of " : "") + words_[k] + cure);
-    }
+    if (within > 0) refuse(key, within, all, k, cure);
     if (solids_.closed(k) && inside > 0 && inside < all) {
       throw InvalidInput(key + ": " + shareText(all - inside, all) + " outside the closed " +
                          words_[k] + " and the others inside it" + cure);
     }
   }
 
+  void requireFree(const std::string& key, const Source& source, double spacing_m,
+                   std::size_t k) const {
+    const std::vector<Vec3d> sites = Outlet(source, spacing_m).sites;
+    const auto within = std::count_if(sites.begin(), sites.end(),
+                                      [&](const Vec3d& x) { return solids_.reached(k, x); });
+    if (within == 0) return;
+    refuse(key + " (" + shortened(source.name) + ")", std::size_t(within), sites.size(), k,
+           "; change " + key + ".position_m or radius_m, or " + keys_[k] + ".position_m");
+  }
+
  private:
+  [[noreturn]] void refuse(const std::string& what, std::size_t within, std::size_t all,
+                           std::size_t k, const std::string& cure) const {
+    throw InvalidInput(what + ": " + shareText(within, all) + " inside " +
+                       (solids_.hollow(k) ? "the wall of " : "") + words_[k] + cure);
+  }
+
   Solids solids_;
   std::vector<std::string> words_;
   std::vector<std::string> keys_;
@@ -74,47 +88,6 @@ void requireRest(const std::string& key, const SpawnPoints& points, std::size_t 
   throw InvalidInput(key + ": carve leaves no particle, because all of them lie in colliders or " +
                      "touch them; change " + key + ".min_m or max_m, or move the colliders");
 }
-
-/// Grid of points with cells as wide as the distance that points must keep.
-class PointGrid {
- public:
-  explicit PointGrid(double edge_m) : edge_m_(edge_m) {}
-
-  void add(const Vec3d& x, std::size_t block) {
-    cells_.emplace(keyAt(x, {0, 0, 0}), Entry{x, block});
-  }
-
-  /// Block of a point closer to x than `distance_m`, which is at most a cell, or `none`.
-  std::size_t blockNear(const Vec3d& x, double distance_m, std::size_t none) const {
-    for (int k = 0; k < 27; ++k) {
-      const auto range = cells_.equal_range(keyAt(x, {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1}));
-      for (auto entry = range.first; entry != range.second; ++entry) {
-        if ((entry->second.x - x).squaredNorm() < distance_m * distance_m) {
-          return entry->second.block;
-        }
-      }
-    }
-    return none;
-  }
-
- private:
-  struct Entry {
-    Vec3d x;
-    std::size_t block;
-  };
-
-  /// 21 bits per axis. Cells with the same key are distinguished by the distances of their points.
-  std::uint64_t keyAt(const Vec3d& x, const Eigen::Array<std::int64_t, 3, 1>& beside) const {
-    const Eigen::Array<std::int64_t, 3, 1> cell =
-        (x.array() / edge_m_).floor().cast<std::int64_t>() + beside;
-    constexpr std::uint64_t kMask = (1u << 21) - 1;
-    return (std::uint64_t(cell.x()) & kMask) | (std::uint64_t(cell.y()) & kMask) << 21 |
-           (std::uint64_t(cell.z()) & kMask) << 42;
-  }
-
-  double edge_m_;
-  std::unordered_multimap<std::uint64_t, Entry> cells_;
-};
 
 /// For each block, the part of its bounds that overlaps those of other blocks; empty for most.
 std::vector<Box> sharedBounds(const std::vector<Box>& bounds) {
@@ -187,6 +160,12 @@ void requireFreeSpawn(const Scene& scene) {
     }
   }
   requireApart(scene, points);
+  for (std::size_t s = 0; s < scene.sources.size(); ++s) {
+    for (std::size_t k = 0; k < solids.count(); ++k) {
+      solids.requireFree("sources." + std::to_string(s), scene.sources[s], scene.fluid.spacing_m,
+                         k);
+    }
+  }
 }
 
 }  // namespace ice_ice_baby

@@ -22,7 +22,8 @@ std::optional<BlockInContainer> blockInContainer(const FrameView& start) {
   forEachCollider(scene, [&](const Collider&) { ++colliders; });
   const bool alone = scene.blocks.size() == 1 && scene.containers.size() == 1 && colliders == 1;
   const Vec3d& g = scene.gravity_m_s2;
-  if (!alone || g.x() != 0.0 || g.y() != 0.0 || !(g.z() < 0.0)) return std::nullopt;
+  const bool constant = scene.sources.empty() && scene.drains.empty();
+  if (!alone || !constant || g.x() != 0.0 || g.y() != 0.0 || !(g.z() < 0.0)) return std::nullopt;
   const Block& block = scene.blocks.front();
   const Container& container = scene.containers.front();
   const bool upright = container.follow_frame.empty() && container.rpy_deg.isZero();

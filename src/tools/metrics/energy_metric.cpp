@@ -29,10 +29,11 @@ void EnergyMetric::add(const FrameView& frame) {
   const double before_j = end_j_;
   end_j_ = report.kinetic_energy_j + report.potential_energy_j + report.elastic_energy_j;
   if (std::isnan(start_j_)) start_j_ = end_j_;
-  if (report.spilled != spilled_) {  // what left took its energy along
+  const std::uint64_t moved = report.spilled + report.poured + report.drained;
+  if (moved != moved_) {  // what left took its energy along, and what came brought it
     start_j_ += end_j_ - before_j;
     min_j_ += end_j_ - before_j;
-    spilled_ = report.spilled;
+    moved_ = moved;
   }
   min_j_ = std::min(min_j_, end_j_);
   rise_j_ = std::max(rise_j_, end_j_ - min_j_);

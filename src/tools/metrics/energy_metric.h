@@ -16,7 +16,7 @@ namespace ice_ice_baby {
 /// only its sign and its change between settings matter. `energy_rise`: the largest rise of the
 /// total above its running minimum. No work is done on the water, so the ideal is 0. The total is
 /// the sum of kinetic, potential and elastic energy, so the rebound of compressed water is no rise.
-/// The change in a frame in which particles left the bounds of the scene does not count.
+/// The change in a frame in which particles came or left does not count.
 class EnergyMetric final : public MetricRecorder {
  public:
   /// Null for a scene without water or without available energy.
@@ -33,7 +33,7 @@ class EnergyMetric final : public MetricRecorder {
   double end_j_ = 0.0;
   double min_j_ = std::numeric_limits<double>::max();
   double rise_j_ = 0.0;
-  std::uint64_t spilled_ = 0;  ///< so far
+  std::uint64_t moved_ = 0;  ///< particles that came and left so far
 };
 
 }  // namespace ice_ice_baby

@@ -135,8 +135,8 @@ TEST(CheckpointTest, AChangedLayoutNeedsANewVersion) {
   };
   const char* const cure =
       "raise kVersion in src/core/checkpoint/checkpoint.cpp, then update this size";
-  EXPECT_EQ(sizeOf(fullTank(2)), 1451U) << cure;
-  EXPECT_EQ(sizeOf(test::hailStory().scene), 75109U) << cure;
+  EXPECT_EQ(sizeOf(fullTank(2)), 1483U) << cure;
+  EXPECT_EQ(sizeOf(test::hailStory().scene), 75141U) << cure;
 }
 
 }  // namespace checkpoint_test

@@ -101,7 +101,7 @@ TEST(ForgedTest, MoreSpilledParticlesThanThereWereAreRefused) {
   ASSERT_NE(place, std::string::npos);
   put(bytes, place + 8, std::uint64_t(1));
   const std::string why = test::refusalOf([&] { decodeCheckpoint(resigned(bytes), "file", 1); });
-  EXPECT_EQ(why, "file: invalid checkpoint: more particles spilled than there were");
+  EXPECT_EQ(why, "file: invalid checkpoint: more particles left than there were");
 }
 
 /// Few particles and no boundary density, so that thousands of edits take seconds.
