@@ -95,8 +95,8 @@ class Simulation {
   /// Pose of a collider now. @throws InvalidInput for an unknown name
   virtual Posed colliderPose(const std::string& name) const = 0;
 
-  /// Starts to measure what water and ice do to colliders, anew if it does so already, or stops. Off,
-  /// it costs nothing. It does not change the simulation and is not part of a checkpoint.
+  /// Starts to measure what water and ice do to colliders, anew if it does so already, or stops.
+  /// Off, it costs nothing. It does not change the simulation and is not part of a checkpoint.
   virtual void measureWrenches(bool measure) = 0;
 
   /// Mean force and torque on each collider, in their order in the scene, since measuring began.

@@ -103,6 +103,12 @@ class Observers {
   std::vector<std::unique_ptr<MetricRecorder>> recorders_;
 };
 
+/// Number of the first of `frames` that lies in the last half second.
+std::size_t lastHalfSecond(std::size_t frames, const Scene& scene) {
+  const auto half = static_cast<std::size_t>(std::ceil(0.5 * scene.solver.frame_rate_hz));
+  return frames - std::min(frames, half);
+}
+
 }  // namespace
 
 RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double end_s, int threads) {
@@ -128,6 +134,9 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double en
     if (pictures && double(frame) >= next_picture) {
       pictures->write(simulation);
       next_picture += every;
+    }
+    if (outputs.wrenches && frame == lastHalfSecond(frames, scene)) {
+      simulation.measureWrenches(true);
     }
     const StepReport& report = simulation.advanceFrame();
     record.addFrame(report);

@@ -1,4 +1,5 @@
 // Topics without subscribers cost nothing: what they ask of the simulation, call by call.
+#include <geometry_msgs/WrenchStamped.h>
 #include <gtest/gtest.h>
 #include <ice_ice_baby/Vessels.h>
 #include <ros/ros.h>
@@ -61,13 +62,18 @@ class Watched final : public Simulation {
     ++vessel_reports;
     return real_->vessels();
   }
+  void measureWrenches(bool measure) override {
+    measures_wrenches = measure;
+    real_->measureWrenches(measure);
+  }
+  std::vector<ColliderWrench> wrenches() const override { return real_->wrenches(); }
   std::vector<StageStats> stages() const override { return real_->stages(); }
   std::uint64_t stateHash() const override { return real_->stateHash(); }
   Precision precision() const override { return real_->precision(); }
   void write(StateWriter& writer) const override { real_->write(writer); }
 
   mutable int samples = 0, spring_samples = 0, poses = 0, moves = 0, vessel_reports = 0;
-  bool counts_flows = false;
+  bool counts_flows = false, measures_wrenches = false;
 
  private:
   std::unique_ptr<Simulation> real_;
@@ -140,6 +146,26 @@ class PayOnly : public testing::Test {
   Watched simulation_;
   std::unique_ptr<Topics> topics_;
 };
+
+TEST_F(PayOnly, WrenchesAreMeasuredWhileSomebodySubscribes) {
+  runFrames(3);
+  EXPECT_FALSE(simulation_.measures_wrenches);
+  const std::string collider = simulation_.scene().containers.at(0).name;
+  std::vector<geometry_msgs::WrenchStamped> received;
+  ros::Subscriber subscriber = node_.subscribe<geometry_msgs::WrenchStamped>(
+      "wrenches/" + collider, 100,
+      [&](const geometry_msgs::WrenchStamped::ConstPtr& message) { received.push_back(*message); });
+  for (int k = 0; k < 2000 && received.size() < 3; ++k) {
+    runFrames(1);
+    ros::spinOnce();
+  }
+  EXPECT_TRUE(simulation_.measures_wrenches);
+  ASSERT_GE(received.size(), 3u);
+  EXPECT_EQ(received[0].header.frame_id, parameters_.scene_frame + "/" + collider);
+  subscriber.shutdown();
+  for (int k = 0; k < 2000 && simulation_.measures_wrenches; ++k) runFrames(1);
+  EXPECT_FALSE(simulation_.measures_wrenches);
+}
 
 TEST_F(PayOnly, WithoutSubscribersNothingIsSampledOrBuilt) {
   const auto before = messages();

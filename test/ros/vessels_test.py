@@ -7,7 +7,7 @@ import time
 import unittest
 
 import rospy
-from geometry_msgs.msg import TransformStamped, Vector3
+from geometry_msgs.msg import TransformStamped, Vector3, WrenchStamped
 from ice_ice_baby.msg import Vessels
 from tf2_msgs.msg import TFMessage
 
@@ -59,6 +59,19 @@ class VesselsOfTheNode(unittest.TestCase):
             self.assertTrue(math.isnan(vessel.mean_celsius))
         self.assertAlmostEqual(half.water_m3, tank.water_m3 / 2, delta=0.1 * tank.water_m3)
         self.assertEqual(state.particles, tank.particles + cup.particles)
+
+    def test_1_the_tank_feels_the_weight_of_its_water(self):
+        self.node.start("gauged")
+        self.node.run_frames(60)
+        with Latest("/sim/wrenches/tank", WrenchStamped) as topic:
+            self.node.resume()
+            topic.wait()
+            wait_until(lambda: len(topic.messages) > 20, "wrenches of the tank")
+            self.node.pause()
+        self.assertEqual(topic.messages[-1].header.frame_id, "ice_ice_baby/scene/tank")
+        forces = [message.wrench.force.z for message in topic.messages[5:]]
+        weight_n = IN_TANK * PARTICLE_M3 * 1000 * 9.81
+        self.assertAlmostEqual(sum(forces) / len(forces), -weight_n, delta=0.02 * weight_n)
 
     def test_2_a_cup_that_moves(self):
         self.node.start("gauged")

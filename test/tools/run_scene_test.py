@@ -187,6 +187,13 @@ class RunScene(RunSceneCase):
         ):
             self.assertIn(name, rows[0])
 
+    def test_wrenches_are_reported_if_asked_for(self):
+        self.assertNotIn("wrenches", self.report())
+        tank = self.report("--wrenches", "--duration", "2")["wrenches"]["tank"]
+        weight_n = 180 * 0.05**3 * 1000 * 9.81
+        self.assertAlmostEqual(tank["force_n"][2], -weight_n, delta=0.02 * weight_n)
+        self.assertEqual(len(tank["torque_n_m"]), 3)
+
     def test_report_and_series_have_what_each_vessel_holds(self):
         gauges = ("--set", "gauges=[{name: low, position_m: [0, 0, 0.1], size_m: [1, 1, 0.2]}]")
         vessels = self.report(*gauges)["vessels"]

@@ -175,8 +175,9 @@ void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<R
               toWorld((px[0] + px[1]) / 2, (py[0] + py[1]) / 2, (pz[0] + pz[1]) / 2);
           if (!reachable(point) || inSolid(colliders, point)) continue;
         }
-        const std::array<std::array<Real, 3>, 3> along{
-            splineIntegrals(px[0], px[1]), splineIntegrals(py[0], py[1]), splineIntegrals(pz[0], pz[1])};
+        const std::array<std::array<Real, 3>, 3> along{splineIntegrals(px[0], px[1]),
+                                                       splineIntegrals(py[0], py[1]),
+                                                       splineIntegrals(pz[0], pz[1])};
         for (std::size_t a = 0; a < kCellNodes; ++a) {
           if (!wanted[a]) continue;
           box.volume[box.place(cell + nodeOfCell(a))] +=

@@ -46,6 +46,7 @@ void Simulator<Real>::pourFrom(std::size_t k, const std::vector<Drop>& drops) {
   }
   report_.poured += position_m.size();
   particles_.add(position_m, velocity_m_s);
+  if (vessel_tracker_) vessel_tracker_->add(position_m.size());
   if (phase_change_) phase_change_->add(position_m.size(), scene_.sources[k].temperature_c);
 }
 
