@@ -22,7 +22,7 @@ struct Source {
   double speed_m_s = 0.0;   ///< 0: follows from the flow
   double flow_l_min = 0.0;  ///< 0: follows from the speed
   double temperature_c = 20.0;
-  bool on = true;
+  bool open = true;
 
   double area_m2() const { return M_PI * radius_m * radius_m; }
   /// Flow and speed in force. One of them is given, the other is flow = speed x area.
@@ -48,7 +48,7 @@ void describe(Source& s, Visitor&& visit) {
   visit("temperature_c", s.temperature_c, kTemperatureRange_c,
         "temperature of the water, with thermal.enabled; from thermal.freezing_c to "
         "thermal.boiling_c");
-  visit("on", s.on, "whether water flows from the start; the service set_source changes it");
+  visit("open", s.open, "whether water flows from the start; the service set_source changes it");
 }
 
 /// A box that takes water away.

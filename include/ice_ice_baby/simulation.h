@@ -77,7 +77,7 @@ class Simulation {
   /// Turns a source on or off and changes its flow from now on. scene() has the values in force.
   /// @param flow_l_min litres per minute; 0: unchanged
   /// @throws InvalidInput as requireSource
-  virtual void setSource(const std::string& name, bool on, double flow_l_min = 0.0) = 0;
+  virtual void setSource(const std::string& name, bool open, double flow_l_min = 0.0) = 0;
 
   /// @throws InvalidInput outside [-1e4, 1e4] m/s^2
   virtual void setGravity(const Vec3d& gravity_m_s2) = 0;

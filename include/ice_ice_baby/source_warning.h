@@ -8,7 +8,7 @@
 
 namespace ice_ice_baby {
 
-/// What a user should know and do if a source is on and the particles are at least 90 % of
+/// What a user should know and do if a source is open and the particles are at least 90 % of
 /// limits.max_particles; empty otherwise.
 std::string sourceWarning(const Scene& scene, const StepReport& report);
 

@@ -102,9 +102,9 @@ bool Services::setGravity(SetGravity::Request& request, SetGravity::Response& re
 bool Services::setSource(SetSource::Request& request, SetSource::Response& response) {
   response.flow_l_min = flowOf_l_min(simulation_.snapshot(), request.name);
   return answer(response, [&] {
-    simulation_.setSource(request.name, request.on, request.flow_l_min);
+    simulation_.setSource(request.name, request.open, request.flow_l_min);
     if (request.flow_l_min > 0.0) response.flow_l_min = request.flow_l_min;
-    return "source " + request.name + " is " + (request.on ? "on" : "off") + ", " +
+    return "source " + request.name + " is " + (request.open ? "open" : "closed") + ", " +
            numberText(response.flow_l_min) + " l/min";
   });
 }

@@ -56,9 +56,9 @@ void SimulationThread::setGravity(const Vec3d& gravity_m_s2) {
   post(Kind::kChange, [=] { simulation_->setGravity(gravity_m_s2); });
 }
 
-void SimulationThread::setSource(const std::string& name, bool on, double flow_l_min) {
+void SimulationThread::setSource(const std::string& name, bool open, double flow_l_min) {
   requireSource(comingScene()->scene, name, flow_l_min);
-  post(Kind::kChange, [=] { simulation_->setSource(name, on, flow_l_min); });
+  post(Kind::kChange, [=] { simulation_->setSource(name, open, flow_l_min); });
 }
 
 void SimulationThread::reset(const ServedScene& scene) {

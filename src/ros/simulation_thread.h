@@ -95,7 +95,7 @@ class SimulationThread {
   void heatRegion(const HeatedRegion& region);
   void setGravity(const Vec3d& gravity_m_s2);
   /// @param flow_l_min see Simulation::setSource
-  void setSource(const std::string& name, bool on, double flow_l_min = 0.0);
+  void setSource(const std::string& name, bool open, double flow_l_min = 0.0);
   /// @param scene from loadScene, so already valid
   void reset(const ServedScene& scene);
   /// Replaces the simulation by this one.

@@ -298,18 +298,18 @@ class Interface(unittest.TestCase):
     def test_set_source(self):
         self.node.start("tap")
         self.assertEqual(self.node.run_frames(10).poured, 0)
-        answer = self.node.set_source(name="tap", on=True, flow_l_min=0.0)
+        answer = self.node.set_source(name="tap", open=True, flow_l_min=0.0)
         self.assertTrue(answer.success, answer.message)
         self.assertAlmostEqual(answer.flow_l_min, 60000 * math.pi * 0.08**2, places=6)
         state = self.node.run_frames(30)
         expected = 0.5 * math.pi * 0.08**2 / 0.05**3
         self.assertAlmostEqual(state.poured, expected, delta=8)
         self.assertEqual(state.particles, state.poured)
-        answer = self.node.set_source(name="tap", on=True, flow_l_min=2400.0)
+        answer = self.node.set_source(name="tap", open=True, flow_l_min=2400.0)
         self.assertEqual((answer.success, answer.flow_l_min), (True, 2400.0))
         faster = self.node.run_frames(15)
         self.assertAlmostEqual(faster.poured - state.poured, 0.25 * 0.04 / 0.05**3, delta=8)
-        answer = self.node.set_source(name="tap", on=False, flow_l_min=0.0)
+        answer = self.node.set_source(name="tap", open=False, flow_l_min=0.0)
         self.assertEqual((answer.success, answer.flow_l_min), (True, 2400.0))
         self.assertEqual(self.node.run_frames(15).poured, faster.poured)
 
@@ -322,21 +322,21 @@ class Interface(unittest.TestCase):
             ("tap", math.nan, "nan"),
             ("tap", 1e5, "range [0, 36191"),
         ):
-            answer = self.node.set_source(name=name, on=True, flow_l_min=flow_l_min)
+            answer = self.node.set_source(name=name, open=True, flow_l_min=flow_l_min)
             self.assertFalse(answer.success)
             self.assertIn(named, answer.message)
         self.assertEqual(self.node.run_frames(20).poured, 0)
 
     def test_a_source_that_stops_at_the_limit_is_a_warning(self):
         self.node.start("tap")
-        self.node.set_source(name="tap", on=True, flow_l_min=0.0)
+        self.node.set_source(name="tap", open=True, flow_l_min=0.0)
         state = self.node.run_frames(90)
         self.assertEqual(state.sources_stopped, 1)
         self.assertLessEqual(state.particles, 200)
         status = self.node.diagnostic("solver", lambda s: s.level == 1)
         self.assertIn("1 source has stopped", status.message)
         self.assertIn("limits.max_particles = 200", status.message)
-        self.node.set_source(name="tap", on=False, flow_l_min=0.0)
+        self.node.set_source(name="tap", open=False, flow_l_min=0.0)
         self.node.diagnostic("solver", lambda s: s.level == 0)
 
     def test_get_state(self):

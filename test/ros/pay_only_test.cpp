@@ -27,8 +27,8 @@ class Watched final : public Simulation {
     real_->setTemperature(c, s, target);
   }
   void heatRegion(const HeatedRegion& region) override { real_->heatRegion(region); }
-  void setSource(const std::string& name, bool on, double flow_l_min) override {
-    real_->setSource(name, on, flow_l_min);
+  void setSource(const std::string& name, bool open, double flow_l_min) override {
+    real_->setSource(name, open, flow_l_min);
   }
   void setGravity(const Vec3d& gravity) override { real_->setGravity(gravity); }
   void moveCollider(const std::string& name, const Posed& pose) override {

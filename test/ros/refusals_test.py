@@ -42,9 +42,9 @@ ALWAYS = [
     ("set_gravity", dict(gravity=Vector3(NAN, 0, 0)), ["gravity", "nan", "[-10000, 10000]"]),
     ("set_gravity", dict(gravity=Vector3(0, INF, 0)), ["gravity", "inf", "[-10000, 10000]"]),
     ("set_gravity", dict(gravity=Vector3(0, 0, -10001)), ["-10001", "[-10000, 10000]"]),
-    ("set_source", dict(name="tab", on=True), ["tab"]),
-    ("set_source", dict(name=LONG, on=True), ["xxx"]),
-    ("set_source", dict(name=ODD, on=True), ["a"]),
+    ("set_source", dict(name="tab", open=True), ["tab"]),
+    ("set_source", dict(name=LONG, open=True), ["xxx"]),
+    ("set_source", dict(name=ODD, open=True), ["a"]),
     ("reset", dict(scene="smal"), ["smal", "did you mean small"]),
     ("reset", dict(scene="../scenes/small"), ["../scenes/small", "small"]),
     ("reset", dict(scene="/etc/passwd"), ["/etc/passwd", "small"]),
@@ -92,10 +92,10 @@ WITH_HEAT = [
     ("heat_region", torch(duration_s=INF), ["duration", "inf", "[0, 1e+06]"]),
 ]
 WITH_SOURCES = [
-    ("set_source", dict(name="tab", on=True), ["tab", "tap, hose"]),
-    ("set_source", dict(name="tap", on=True, flow_l_min=NAN), ["tap", "nan", "[0, "]),
-    ("set_source", dict(name="tap", on=True, flow_l_min=-INF), ["tap", "-inf", "[0, "]),
-    ("set_source", dict(name="hose", on=True, flow_l_min=1e9), ["hose", "1e+09", "[0, "]),
+    ("set_source", dict(name="tab", open=True), ["tab", "tap, hose"]),
+    ("set_source", dict(name="tap", open=True, flow_l_min=NAN), ["tap", "nan", "[0, "]),
+    ("set_source", dict(name="tap", open=True, flow_l_min=-INF), ["tap", "-inf", "[0, "]),
+    ("set_source", dict(name="hose", open=True, flow_l_min=1e9), ["hose", "1e+09", "[0, "]),
 ]
 RUNNING = [("step", dict(frames=1), ["paused", "call pause first"])]
 WITHOUT_FIELDS = {"get_state", "pause", "resume"}  # their requests are empty

@@ -43,6 +43,9 @@ LISTS = {
     "cylinders": "cylinders=[{name: post, position_m: [100, 100, -100]}]",
     "capsules": "capsules=[{name: pill, position_m: [100, 100, -100]}]",
     "cups": "cups=[{name: cup, position_m: [100, 100, -100]}]",
+    "gauges": "gauges=[{name: box, size_m: [0.1, 0.1, 0.1]}]",
+    "sources": "sources=[{name: tap, position_m: [0, 0, 5], radius_m: 0.05, speed_m_s: 1}]",
+    "drains": "drains=[{name: hole, min_m: [-9, -9, -9], max_m: [9, 9, -8]}]",
     "meshes": "meshes=[{name: mesh, file: block.obj, position_m: [0, 0, -5]}]",
 }
 
@@ -57,6 +60,11 @@ ROOM = {
         "bounds.max_m=[100, 100, 100]",
     ),
     "containers.size_m": (ALONE,),
+    "sources.position_m": (
+        "sources=[{name: tap, radius_m: 0.001, speed_m_s: 1}]",
+        "bounds.min_m=[-100, -100, -100]",
+        "bounds.max_m=[100, 100, 100]",
+    ),
     "spheres.radius_m": ("spheres=[{name: ball, position_m: [0, 0, -100]}]",),
     "boxes.size_m": ("boxes=[{name: box, position_m: [0, 0, -100]}]",),
 }

@@ -12,8 +12,8 @@
 #include "coarse/coarse_matrix.h"
 #include "coarse/free_volume.h"
 #include "coarse/one_sided_solver.h"
+#include "colliders/wall_load.h"
 #include "phase/phases.h"
-#include "wrenches/impulse.h"
 
 namespace ice_ice_baby {
 

@@ -6,7 +6,7 @@
 
 #include "coarse/coarse_grids.h"
 #include "coarse/coarse_matrix.h"
-#include "wrenches/impulse.h"
+#include "colliders/wall_load.h"
 
 namespace ice_ice_baby {
 

@@ -17,7 +17,7 @@ const std::vector<Drop>& Sources::advance(const Scene& scene, std::size_t k, dou
                                           double room) {
   drops_.clear();
   const Source& source = scene.sources[k];
-  if (!source.on) return drops_;
+  if (!source.open) return drops_;
   auto& [outlet, progress, waiting] = outflows_[k];
   const double layers_1_s = source.flowInForce_m3_s() / outlet.layer_m3;
   const Vec3d velocity_m_s = source.speedInForce_m_s() * outlet.direction;
@@ -57,7 +57,7 @@ bool Sources::keep(std::size_t k, const Drop& drop) {
 std::size_t Sources::stopped(const Scene& scene, double room) const {
   std::size_t count = 0;
   for (std::size_t k = 0; k < outflows_.size(); ++k) {
-    count += scene.sources[k].on && double(outflows_[k].waiting.size()) > room;
+    count += scene.sources[k].open && double(outflows_[k].waiting.size()) > room;
   }
   return count;
 }
@@ -70,8 +70,8 @@ std::size_t Sources::bytes() const {
   return bytes;
 }
 
-bool anyOn(const std::vector<Source>& sources) {
-  return std::any_of(sources.begin(), sources.end(), [](const Source& one) { return one.on; });
+bool anyOpen(const std::vector<Source>& sources) {
+  return std::any_of(sources.begin(), sources.end(), [](const Source& one) { return one.open; });
 }
 
 }  // namespace ice_ice_baby

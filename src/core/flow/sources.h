@@ -35,7 +35,7 @@ class Sources {
   /// Keeps a drop for which there is no place. @return whether it is lost, as another one waits
   bool keep(std::size_t k, const Drop& drop);
 
-  /// Sources that are on, but have no room for their next layer.
+  /// Sources that are open, but have no room for their next layer.
   std::size_t stopped(const Scene& scene, double room) const;
 
   std::size_t bytes() const;
@@ -61,7 +61,7 @@ class Sources {
   std::vector<Drop> drops_;  ///< result of advance
 };
 
-/// Whether any source is on.
-bool anyOn(const std::vector<Source>& sources);
+/// Whether any source is open.
+bool anyOpen(const std::vector<Source>& sources);
 
 }  // namespace ice_ice_baby

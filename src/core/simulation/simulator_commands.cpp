@@ -52,17 +52,17 @@ std::vector<ColliderWrench> Simulator<Real>::wrenches() const {
 }
 
 template <class Real>
-void Simulator<Real>::setSource(const std::string& name, bool on, double flow_l_min) {
+void Simulator<Real>::setSource(const std::string& name, bool open, double flow_l_min) {
   requireSource(scene_, name, flow_l_min);
   const auto source = std::find_if(scene_.sources.begin(), scene_.sources.end(),
                                    [&](const Source& one) { return one.name == name; });
-  source->on = on;
+  source->open = open;
   if (flow_l_min > 0.0) {
     source->flow_l_min = flow_l_min;
     source->speed_m_s = 0.0;
   }
   report_.sources_stopped = sources_->stopped(scene_, room());
-  if (on) wake();
+  if (open) wake();
 }
 
 template <class Real>

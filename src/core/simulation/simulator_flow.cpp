@@ -17,7 +17,7 @@ double Simulator<Real>::room() const {
 /// water between two frames would appear far from the outlet, behind walls and in other water.
 template <class Real>
 void Simulator<Real>::pour(double dt_s) {
-  if (!anyOn(scene_.sources)) return;
+  if (!anyOpen(scene_.sources)) return;
   const std::uint32_t first_id = particles_.next_id;
   for (std::size_t k = 0; k < sources_->count(); ++k) {
     const std::vector<Drop>& drops = sources_->advance(scene_, k, dt_s, room());

@@ -53,7 +53,7 @@ void Simulator<Real>::updateSleep() {
   const bool slow = report_.max_speed_m_s < scene_.springs.sleep_speed_m_s;
   still_s_ =
       springs_ && springs_->kept() && slow ? still_s_ + 1.0 / scene_.solver.frame_rate_hz : 0.0;
-  if (report_.asleep || still_s_ < 0.5 || anyOn(scene_.sources)) return;
+  if (report_.asleep || still_s_ < 0.5 || anyOpen(scene_.sources)) return;
   report_.asleep = true;
   for (auto* axis : {&particles_.velocity.x, &particles_.velocity.y, &particles_.velocity.z}) {
     std::fill(axis->begin(), axis->end(), Real(0));

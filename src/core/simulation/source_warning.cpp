@@ -16,7 +16,7 @@ std::string sourceWarning(const Scene& scene, const StepReport& report) {
   const double most = scene.limits.max_particles;
   const double particles = double(report.particles);
   const bool nearly_full = particles >= kNearlyFull * most || report.sources_stopped > 0;
-  if (!anyOn(scene.sources) || !nearly_full) return {};
+  if (!anyOpen(scene.sources) || !nearly_full) return {};
   const std::string share = numberText(particles) +
                             " of limits.max_particles = " + numberText(most) +
                             " particles are in the scene";

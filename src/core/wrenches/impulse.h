@@ -28,12 +28,4 @@ struct Impulse {
   Impulse operator*(double factor) const { return {factor * linear, factor * angular}; }
 };
 
-/// What a stage of a substep does to one collider at one point.
-template <class Real>
-struct WallLoad {
-  Index collider;
-  Vec3<Real> point;  ///< m
-  Vec3<Real> push;   ///< displacement of a particle that the same impulse causes, m
-};
-
 }  // namespace ice_ice_baby

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "coarse/displacement_projection.h"
+#include "colliders/wall_load.h"
 #include "fluid/fluid.h"
 #include "ice/ice_contacts.h"
 #include "ice_ice_baby/collider_wrench.h"

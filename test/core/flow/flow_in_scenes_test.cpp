@@ -27,7 +27,7 @@ Story filling(const std::string& name, Scene scene) {
   jet.name = "jet";
   jet.flow_l_min = 150.0;
   jet.direction = {1, 0.3, 0.5};
-  jet.on = false;
+  jet.open = false;
   scene.sources = {source, jet};
   scene.drains = {outflow({-0.5, -0.25, 0}, {0.5, 0.25, 0.1}, 300.0),
                   outflow({0.3, -0.25, 0}, {0.5, 0.25, 0.06})};
@@ -243,7 +243,7 @@ TEST(FlowInScenes, FrozenWaterSleepsOnlyWhileAllSourcesAreOff) {
   Scene scene = test::fullTank(4);
   scene.temperature.initial_c = -10.0;
   scene.sources = {tap({0, 0, 0.5}, 0.02, 0.5)};
-  scene.sources[0].on = false;
+  scene.sources[0].open = false;
   const auto simulation = makeSimulation(scene, Precision::kFloat, 1);
   for (int k = 0; k < 120 && !simulation->report().asleep; ++k) simulation->advanceFrame();
   ASSERT_TRUE(simulation->report().asleep);

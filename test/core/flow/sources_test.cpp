@@ -192,7 +192,7 @@ TEST(Sources, AFallingJetIsAsFastAsItsFallMakesIt) {
 
 TEST(Sources, ThatAreOffEmitNothingAndFlowFollowsTheLatestCommand) {
   Source source = tap(Vec3d::Zero(), 0.04, 1.0);
-  source.on = false;
+  source.open = false;
   Simulator<float> simulator(jet(source, 0.02), 1);
   const auto poured = [&](int frames) {
     const std::uint64_t before = simulator.report().poured;
