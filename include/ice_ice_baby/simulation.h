@@ -74,7 +74,7 @@ class Simulation {
   /// the ranges of requireHeatedRegion, and if kMaxHeatedRegions are already active
   virtual void heatRegion(const HeatedRegion& region) = 0;
 
-  /// Turns a source on or off and changes its flow from now on. scene() has the values in force.
+  /// Opens or closes a source and changes its flow from now on. scene() has the values in force.
   /// @param flow_l_min litres per minute; 0: unchanged
   /// @throws InvalidInput as requireSource
   virtual void setSource(const std::string& name, bool open, double flow_l_min = 0.0) = 0;

@@ -20,7 +20,7 @@ std::string targetText(const Scene& scene, const std::string& target) {
   return scene.thermal.enabled ? "air" : "the whole scene";
 }
 
-/// Flow of a source whether on or off; 0 without such a source.
+/// Flow of a source, open or closed; 0 without such a source.
 double flowOf_l_min(const Snapshot& snapshot, const std::string& name) {
   for (const Source& source : snapshot.sources) {
     if (source.name == name) return source.flowInForce_m3_s() * kLitresPerMinute;

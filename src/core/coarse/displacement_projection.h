@@ -83,6 +83,7 @@ class DisplacementProjection {
   void levelPressure(const Vec3<Real>& gravity, Real dt);
   Real excessAt(Index i) const;
   void levelBodies(Particles<Real>& particles, const IceBodies<Real>& bodies) const;
+  Vec3<Real> pushOn(std::size_t sorted) const;
   Vec3<Real> withoutPull(Vec3<Real> push, const Vec3<Real>& flight, std::size_t k,
                          const ObliqueHold<Real>* oblique) const;
   void moveParticle(Particles<Real>& particles, const CoarseRegion<Real>& region, std::size_t k,

@@ -59,20 +59,27 @@ template <class Real>
 void DisplacementProjection<Real>::levelBodies(Particles<Real>& particles,
                                                const IceBodies<Real>& bodies) const {
   const std::vector<Index>& order = grids_.order();
-  const Real cell2 = grids_.cell_m() * grids_.cell_m();
   parallelFor(order.size(), [&](std::size_t k) {
     const Index i = order[k];
     if (multiplier_[i] < 0 || bodies.memberAt(i) == kNone) return;
-    const CoarseGrid<Real>& grid = grids_.gridOf(i);
-    const std::size_t lowest = grids_.lowestNodeOf(i);
-    const SplineAt<Real> spline(sorted_, k);
-    Vec3<Real> slope = Vec3<Real>::Zero();
-    for (std::size_t a = 0; a < kCellNodes; ++a) {
-      slope += mu_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))] * spline.slope(a);
-    }
-    const Vec3<Real> push = sorted_.volume[k] * cell2 * slope.cwiseQuotient(grid.region.cell_m);
-    particles.predicted.add(i, -(grid.region.frame.rotation * push));
+    particles.predicted.add(i, -pushOn(k));
   });
+}
+
+/// Displacement of particle k of the order by the pressure at its nodes, whatever holds it.
+template <class Real>
+Vec3<Real> DisplacementProjection<Real>::pushOn(std::size_t k) const {
+  const Index i = grids_.order()[k];
+  const CoarseGrid<Real>& grid = grids_.gridOf(i);
+  const std::size_t lowest = grids_.lowestNodeOf(i);
+  const SplineAt<Real> spline(sorted_, k);
+  Vec3<Real> slope = Vec3<Real>::Zero();
+  for (std::size_t a = 0; a < kCellNodes; ++a) {
+    slope += mu_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))] * spline.slope(a);
+  }
+  const Real cell2 = grids_.cell_m() * grids_.cell_m();
+  const Vec3<Real> push = sorted_.volume[k] * cell2 * slope.cwiseQuotient(grid.region.cell_m);
+  return grid.region.frame.rotation * push;
 }
 
 /// Share of the room around each node that is filled.

@@ -8,23 +8,12 @@ namespace ice_ice_baby {
 template <class Real>
 void DisplacementProjection<Real>::addHeldLoads(const Particles<Real>& particles, Real dt,
                                                 std::vector<WallLoad<Real>>& loads) const {
-  const Real cell2 = grids_.cell_m() * grids_.cell_m();
   const Real reach = spacing_;
   for (const Index k : touching_) {
     const Index i = grids_.order()[k];
-    const CoarseGrid<Real>& grid = grids_.gridOf(i);
-    const std::size_t lowest = grids_.lowestNodeOf(i);
-    const SplineAt<Real> spline(sorted_, k);
-    Vec3<Real> slope = Vec3<Real>::Zero();
-    for (std::size_t a = 0; a < kCellNodes; ++a) {
-      slope += mu_[std::size_t(std::ptrdiff_t(lowest) + grid.nodeOffset(a))] * spline.slope(a);
-    }
-    const Vec3<Real> push =
-        grid.region.frame.rotation *
-        Vec3<Real>(sorted_.volume[k] * cell2 * slope.cwiseQuotient(grid.region.cell_m));
     const Vec3<Real> from = particles.position.at(i);
     const Vec3<Real> given = particles.predicted.at(i) - from - dt * particles.velocity.at(i);
-    const Vec3<Real> held = given - push;
+    const Vec3<Real> held = given - pushOn(k);
     if (held.isZero(0)) continue;
     Index nearest = kNone;
     Real least = reach;

@@ -128,14 +128,6 @@ void Simulator<Real>::runSubsteps() {
   colliders_moving_ = false;
 }
 
-template <class Real>
-void Simulator<Real>::endWrenches(double dt_s) {
-  if (phase_change_) {
-    wrench_meter_->addIce(phase_change_->contacts(), bodies(), scene_.gravity_m_s2, dt_s);
-  }
-  wrench_meter_->end(particles_, scene_.gravity_m_s2, dt_s);
-}
-
 /// Algorithm 1 of the paper, line by line.
 template <class Real>
 void Simulator<Real>::substep(double dt_s) {

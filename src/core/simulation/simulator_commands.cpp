@@ -40,18 +40,6 @@ void Simulator<Real>::heatRegion(const HeatedRegion& region) {
 }
 
 template <class Real>
-void Simulator<Real>::measureWrenches(bool measure) {
-  if (!measure) return wrench_meter_.reset();
-  if (wrench_meter_) return wrench_meter_->restart();
-  wrench_meter_.emplace(scene_, colliders_, phase_change_ ? &phase_change_->phases() : nullptr);
-}
-
-template <class Real>
-std::vector<ColliderWrench> Simulator<Real>::wrenches() const {
-  return wrench_meter_ ? wrench_meter_->mean() : std::vector<ColliderWrench>();
-}
-
-template <class Real>
 void Simulator<Real>::setSource(const std::string& name, bool open, double flow_l_min) {
   requireSource(scene_, name, flow_l_min);
   const auto source = std::find_if(scene_.sources.begin(), scene_.sources.end(),
