@@ -12,6 +12,12 @@ CHILDREN=()
 # ROS on Debian is built for the system's python3; another one first on PATH lacks its modules.
 export PATH="/usr/bin:$PATH"
 
+# With ccache, every copy of this tree takes what another one has compiled, wherever it is: options that name a folder
+# do not count, the files that they name do.
+export CCACHE_BASEDIR="$ROOT" CCACHE_NOHASHDIR=true
+export CCACHE_IGNOREOPTIONS="-fmacro-prefix-map=* -fsanitize-ignorelist=*"
+export CCACHE_EXTRAFILES="$ROOT/cmake/ubsan_ignored.txt:$ROOT/cmake/tsan_ignored.txt"
+
 say() { printf '\033[1;36m==>\033[0m %s\n' "$*"; }
 
 die() {

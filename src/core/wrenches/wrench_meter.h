@@ -63,7 +63,6 @@ class WrenchMeter {
   double warm_start_;  ///< share of the corrections of a substep that the next one starts with
   Real reach_m_;       ///< a particle this close to a wall may have been pushed by it
   Impulse before_;     ///< momenta at the start of the substep
-  Impulse weight_;     ///< force and torque of gravity
   std::vector<Impulse> known_;   ///< (colliders) of this substep, times dt
   std::vector<Impulse> walls_;   ///< (colliders) part of the density of walls in it, times dt
   std::vector<Impulse> given_;   ///< (colliders) since the start, in their own frames
