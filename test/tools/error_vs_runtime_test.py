@@ -1,5 +1,7 @@
 """error_vs_runtime: tables, pictures, resuming, refusals; a stub in place of run_scene."""
+import contextlib
 import csv
+import io
 import json
 import pathlib
 import signal
@@ -9,10 +11,11 @@ import tempfile
 import textwrap
 import time
 import unittest
+from unittest import mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 from iib.common.paths import ROOT
-from iib.error_runtime import peers, studies
+from iib.error_runtime import cli, peers, studies
 
 RUN_SCENE = sys.argv.pop(1)
 PROGRAM = ROOT / "scripts" / "error_vs_runtime"
@@ -68,7 +71,18 @@ class Program(unittest.TestCase):
         return [str(word) for word in (*start, *tables_only, *more)]
 
     def go(self, *more, code=0):
-        done = subprocess.run(self.words(*more), text=True, capture_output=True, timeout=180)
+        """In this process, as a new one imports the same modules again for most of a second."""
+        output, errors = io.StringIO(), io.StringIO()
+        words, redirected = self.words(*more), contextlib.ExitStack()
+        with redirected:
+            redirected.enter_context(mock.patch.object(sys, "argv", words))
+            redirected.enter_context(contextlib.redirect_stdout(output))
+            redirected.enter_context(contextlib.redirect_stderr(errors))
+            try:
+                left_with = cli.main()
+            except SystemExit as left:
+                left_with = left.code
+        done = subprocess.CompletedProcess(words, left_with, output.getvalue(), errors.getvalue())
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done
 

@@ -45,7 +45,11 @@ def measure(campaign, program, command, fresh=False):
     store = Store(campaign.out)
     runner = Runner(program, campaign.constants(), campaign.timeout_s)
     runner.check(campaign.axes)
-    store.open(campaign.constants(), fresh)
+    with store.held(campaign.constants(), fresh):
+        return measure_into(store, campaign, runner, program, command)
+
+
+def measure_into(store, campaign, runner, program, command):
     about = machine.about(program, command)
     runs = of_program(store.runs(), about["program"])
     others = len(store.runs()) - len(runs)

@@ -6,6 +6,7 @@ points.csv     one line per point: medians and spread over its runs
 points.json    the same with processor, commit, date and command
 """
 
+import contextlib
 import csv
 import fcntl
 import io
@@ -22,26 +23,34 @@ class Store:
         self.folder = pathlib.Path(folder)
         self.runs_file = self.folder / "runs.jsonl"
 
-    def open(self, campaign, fresh=False):
-        """Makes the folder or goes on in it. campaign: dict that must be the same as before."""
+    @contextlib.contextmanager
+    def held(self, campaign, fresh=False):
+        """Makes the folder or continues in it, and keeps others out meanwhile.
+
+        campaign: dict that must be the same as before.
+        """
+        with self._lock() as lock:
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError:
+                raise Refusal(
+                    f"--out {self.folder} is in use by another error_vs_runtime; wait for it, or "
+                    "name another folder"
+                )
+            if fresh:
+                self.runs_file.unlink(missing_ok=True)
+                (self.folder / "campaign.json").unlink(missing_ok=True)
+            self._hold_to(campaign)
+            yield
+
+    def _lock(self):
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
-            self.lock = open(self.folder / "lock", "w")
+            return open(self.folder / "lock", "w")
         except OSError as error:
             raise Refusal(
                 f"--out {self.folder} cannot be written: {error.strerror}; name another folder"
             )
-        try:
-            fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            raise Refusal(
-                f"--out {self.folder} is in use by another error_vs_runtime; wait for it, or name "
-                "another folder"
-            )
-        if fresh:
-            self.runs_file.unlink(missing_ok=True)
-            (self.folder / "campaign.json").unlink(missing_ok=True)
-        self._hold_to(campaign)
 
     def _hold_to(self, campaign):
         path = self.folder / "campaign.json"
