@@ -15,6 +15,7 @@
 #include "series_writer.h"
 #include "stop_signal.h"
 #include "trajectory_recorder.h"
+#include "wrench_log.h"
 
 namespace ice_ice_baby {
 
@@ -52,8 +53,11 @@ std::string note(const StepReport& report, const RunRecord& record) {
 /// Everything that observes each frame, including the initial state.
 class Observers {
  public:
-  Observers(const Simulation& simulation, const RunOutputs& outputs, int threads)
+  /// @param wrenches null if they are in no sample
+  Observers(const Simulation& simulation, const RunOutputs& outputs, int threads,
+            WrenchLog* wrenches)
       : simulation_(simulation),
+        wrenches_(wrenches),
         density_(simulation.scene(), threads),
         escapes_(simulation.scene()) {
     if (!outputs.series.empty()) series_.emplace(outputs.series);
@@ -85,7 +89,8 @@ class Observers {
     seen_frame_ = frame;
     seen_wall_s_ = wall_s;
     simulation_.sample(particles_);
-    return {simulation_, particles_, density_.measure(simulation_, particles_), frame_wall_s};
+    return {simulation_, particles_, density_.measure(simulation_, particles_), frame_wall_s,
+            wrenches_ ? wrenches_->takeSample() : std::vector<ColliderWrench>()};
   }
   void write(const FrameView& frame) {
     if (series_) series_->add(frame);
@@ -93,6 +98,7 @@ class Observers {
   }
 
   const Simulation& simulation_;
+  WrenchLog* wrenches_;
   DensityMeter density_;
   EscapeMeter escapes_;
   std::vector<ParticleSample> particles_;
@@ -119,7 +125,9 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double en
   const double every = std::max(1.0, scene.solver.frame_rate_hz / outputs.frames_hz);
   std::unique_ptr<FrameWriter> pictures;
   if (!outputs.frames.empty()) pictures = std::make_unique<FrameWriter>(outputs.frames, scene);
-  Observers observers(simulation, outputs, threads);
+  std::optional<WrenchLog> wrenches;
+  if (outputs.wrenches && !outputs.series.empty()) wrenches.emplace(simulation);
+  Observers observers(simulation, outputs, threads, wrenches ? &*wrenches : nullptr);
   RunRecord record;
   record.started_s = simulation.report().time_s;
   ResidualSpeed residual(scene);
@@ -135,11 +143,12 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double en
       pictures->write(simulation);
       next_picture += every;
     }
-    if (outputs.wrenches && frame == lastHalfSecond(frames, scene)) {
-      simulation.measureWrenches(true);
+    if (outputs.wrenches && !wrenches && frame == lastHalfSecond(frames, scene)) {
+      wrenches.emplace(simulation);
     }
     const StepReport& report = simulation.advanceFrame();
     record.addFrame(report);
+    if (wrenches) wrenches->add();
     if (double(frame + 1) >= next_sample - 1e-9 || frame + 1 == frames || report.non_finite > 0) {
       observers.look(record);
       next_sample += sample_every;
@@ -153,6 +162,7 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double en
   }
   record.metrics = observers.metrics();
   record.residual_speed_m_s = residual.value();
+  if (wrenches) record.wrenches = wrenches->lastHalfSecond();
   return record;
 }
 

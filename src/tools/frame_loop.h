@@ -16,7 +16,7 @@ struct RunOutputs {
   std::string record;       ///< .npy of every position
   std::string save;         ///< checkpoint
   double autosave_s = 0.0;  ///< simulated time between checkpoints; 0: only at the end
-  bool wrenches = false;    ///< measured over the last half second
+  bool wrenches = false;    ///< for the report over the last half second, for the series all along
 };
 
 /// Runs frames until simulated time `end_s`, until a value is not finite, or, if the run is saved,

@@ -76,9 +76,9 @@ void putVessels(const Simulation& simulation, nlohmann::ordered_json& json) {
 }
 
 /// What water and ice did to each collider, if it was measured.
-void putWrenches(const Simulation& simulation, nlohmann::ordered_json& json) {
+void putWrenches(const RunRecord& record, nlohmann::ordered_json& json) {
   const auto list = [](const Vec3d& v) { return nlohmann::ordered_json{v.x(), v.y(), v.z()}; };
-  for (const ColliderWrench& wrench : simulation.wrenches()) {
+  for (const ColliderWrench& wrench : record.wrenches) {
     json["wrenches"][wrench.name] = {{"force_n", list(wrench.force_n)},
                                      {"torque_n_m", list(wrench.torque_n_m)}};
   }
@@ -152,7 +152,7 @@ void writeReport(const std::string& path, const Simulation& simulation, const Ru
     if (std::isfinite(metric.value)) json["error"][metric.name] = metric.value;
   }
   putVessels(simulation, json);
-  putWrenches(simulation, json);
+  putWrenches(record, json);
   json["settings"] = settingsOf(simulation.scene());
   json["stages"] = nlohmann::ordered_json::array();
   for (const StageStats& stage : simulation.stages()) {

@@ -30,6 +30,7 @@ struct RunRecord {
   std::size_t max_steam = 0;
   bool stopped = false;
   std::vector<ErrorMetric> metrics;
+  std::vector<ColliderWrench> wrenches;  ///< means of the last half second; empty if not measured
 
   void addFrame(const StepReport& report);
   void addSample(const StepReport& report, const DensityError& error);

@@ -24,7 +24,7 @@ class Row {
   }
   /// @param name with {} where the axis belongs
   void add(const std::string& name, const Vec3d& vector) {
-    const std::size_t at = name.find("{}");
+    const std::size_t at = name.rfind("{}");
     for (int k = 0; k < 3; ++k) add(std::string(name).replace(at, 2, 1, "xyz"[k]), vector[k]);
   }
 
@@ -54,13 +54,25 @@ void addReport(Row& row, const StepReport& report) {
   describeReproducible(add, report);
 }
 
+/// Without commas, which separate columns.
+std::string columnName(std::string name) {
+  std::replace(name.begin(), name.end(), ',', '_');
+  return name;
+}
+
 void addVessels(Row& row, const Simulation& simulation) {
   for (const VesselReport& vessel : simulation.vessels()) {
-    std::string name = vessel.name;
-    std::replace(name.begin(), name.end(), ',', '_');  // which separates columns
+    const std::string name = columnName(vessel.name);
     row.add(name + ".water_m3", vessel.water_m3);
     row.add(name + ".ice_m3", vessel.ice_m3);
     row.add(name + ".level_m", vessel.level_m);
+  }
+}
+
+void addWrenches(Row& row, const std::vector<ColliderWrench>& wrenches) {
+  for (const ColliderWrench& wrench : wrenches) {
+    row.add(columnName(wrench.name) + ".force_{}_n", wrench.force_n);
+    row.add(columnName(wrench.name) + ".torque_{}_n_m", wrench.torque_n_m);
   }
 }
 
@@ -76,6 +88,7 @@ Row rowOf(const FrameView& frame) {
           report.kinetic_energy_j + report.potential_energy_j + report.elastic_energy_j);
   addMoments(row, momentsOf(frame.particles, massOfParticle_kg(frame.scene())));
   addVessels(row, frame.simulation);
+  addWrenches(row, frame.wrenches);
   row.add("resident_bytes", double(residentBytes()));
   return row;
 }

@@ -194,6 +194,19 @@ class RunScene(RunSceneCase):
         self.assertAlmostEqual(tank["force_n"][2], -weight_n, delta=0.02 * weight_n)
         self.assertEqual(len(tank["torque_n_m"]), 3)
 
+    def test_the_series_has_the_wrench_since_the_row_before(self):
+        """Summed over the fall and the splash, force and weight are the change of momentum."""
+        self.assertNotIn("tank.force_z_n", self.table("--series")[0])
+        options = ("--wrenches", "--sample-hz", "30", "--duration", "1")
+        rows = self.table("--series", *options)
+        first, last = rows[0], rows[-1]
+        self.assertEqual(first["tank.force_z_n"], 0)
+        weight_n = 180 * 0.05**3 * 1000 * 9.81
+        given_n_s = sum(row["tank.force_z_n"] for row in rows) / 30
+        lost = last["momentum_z_kg_m_s"] - first["momentum_z_kg_m_s"]
+        self.assertAlmostEqual(-given_n_s - weight_n * 1, lost, delta=0.01 * weight_n)
+        self.assertLess(max(abs(row["tank.force_x_n"]) for row in rows), 0.2 * weight_n)
+
     def test_report_and_series_have_what_each_vessel_holds(self):
         gauges = ("--set", "gauges=[{name: low, position_m: [0, 0, 0.1], size_m: [1, 1, 0.2]}]")
         vessels = self.report(*gauges)["vessels"]
