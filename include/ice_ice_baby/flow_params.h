@@ -18,12 +18,15 @@ struct Source {
   std::string name;
   Vec3d position_m = Vec3d::Zero();  ///< centre of the disc
   Vec3d direction{0.0, 0.0, -1.0};   ///< normal of the disc, along the flow; of any length but 0
+  std::string follow_frame;
   double radius_m = 0.02;
   double speed_m_s = 0.0;   ///< 0: follows from the flow
   double flow_l_min = 0.0;  ///< 0: follows from the speed
   double temperature_c = 20.0;
   bool open = true;
 
+  /// Pose of the disc in the scene frame, or in `follow_frame`: z is the direction of the flow.
+  Posed pose() const;
   double area_m2() const { return M_PI * radius_m * radius_m; }
   /// Flow and speed in force. One of them is given, the other is flow = speed x area.
   double flowInForce_m3_s() const {
@@ -39,6 +42,9 @@ void describe(Source& s, Visitor&& visit) {
   visit("name", s.name, "name used by services; \"\": source_0, source_1, ...");
   visit("position_m", s.position_m, kCoordinateRange_m, "centre of the disc that water leaves");
   visit("direction", s.direction, Range{-1e6, 1e6}, "direction of the flow; any length but 0");
+  visit("follow_frame", s.follow_frame,
+        "tf frame in which position_m and direction are given and with which the disc moves; it is "
+        "closed until the frame is there; \"\": that of the scene");
   visit("radius_m", s.radius_m, Range{1e-5, kMaxCoordinate_m}, "radius of the disc");
   visit("speed_m_s", s.speed_m_s, Range{0.0, 1e5},
         "speed of the water; 0: follows from flow_l_min, one of the two must be given");

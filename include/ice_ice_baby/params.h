@@ -134,6 +134,7 @@ struct TemperatureParams {
   double freezing_c = 0.0;
 };
 
+constexpr Range kPowerRange_w{-1e9, 1e9};
 constexpr Range kTemperatureRange_c{-273.15, 1000.0};
 
 template <class Visitor>

@@ -52,6 +52,25 @@ struct Gauge {
 /// Largest number of gauges in a scene.
 constexpr std::size_t kMaxGauges = 50;
 
+/// Region that heats what is in it while it is active, or cools it: a heat gun, a freezing spray.
+/// The power is distributed over the particles in it in proportion to their mass.
+struct HeatRegionParams {
+  std::string name;
+  BlockShape shape = BlockShape::kSphere;  ///< kBox, or kSphere: ellipsoid that fits into the box
+  Vec3d position_m = Vec3d::Zero();        ///< of its centre, in `follow_frame` if it has one
+  Vec3d rpy_deg = Vec3d::Zero();
+  Vec3d size_m = Vec3d::Constant(0.1);  ///< of the box
+  double power_w = 0.0;                 ///< negative: cools; never 0 in a valid scene
+  bool active = true;
+  std::string follow_frame;
+
+  /// Pose in the scene frame, or in `follow_frame`.
+  Posed pose() const { return poseOf(position_m, rpy_deg); }
+};
+
+/// Largest number of heat regions in a scene.
+constexpr std::size_t kMaxHeatRegions = 50;
+
 /// Scheduled change of temperature. A call of setTemperature cancels the remaining schedule.
 struct TemperatureEvent {
   double at_s = 0.0;
@@ -87,6 +106,7 @@ struct Scene : ColliderLists {
   std::vector<Gauge> gauges;
   std::vector<Source> sources;
   std::vector<Drain> drains;
+  std::vector<HeatRegionParams> heat_regions;
 
   /// Support radius h in force, m, with 0 resolved.
   double supportRadius_m() const;

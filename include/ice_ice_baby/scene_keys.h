@@ -52,6 +52,24 @@ void describe(Gauge& g, Visitor&& visit) {
 }
 
 template <class Visitor>
+void describe(HeatRegionParams& r, Visitor&& visit) {
+  visit("name", r.name, "name used by services; \"\": heat_region_0, heat_region_1, ...");
+  visit("shape", r.shape, "box, or sphere: the ellipsoid that fits into the box");
+  visit("position_m", r.position_m, kCoordinateRange_m, "position of the centre");
+  visit("rpy_deg", r.rpy_deg, Range{-360.0, 360.0},
+        "roll, pitch, yaw about the fixed axes x, y, z");
+  visit("size_m", r.size_m, Range{1e-3, 2 * kMaxCoordinate_m}, "length of the sides of the box");
+  visit("power_w", r.power_w, kPowerRange_w,
+        "power spread over the water and ice inside; below 0: cools; not 0");
+  visit("active", r.active,
+        "whether it heats from the start; the service set_heat_region "
+        "changes it");
+  visit("follow_frame", r.follow_frame,
+        "tf frame in which position_m and rpy_deg are given and with which the region moves; it "
+        "heats nothing until the frame is there; \"\": that of the scene");
+}
+
+template <class Visitor>
 void describe(Scene& s, Visitor&& visit) {
   visit("name", s.name, "name of the scene");
   visit("description", s.description, "one-sentence description");
@@ -76,6 +94,8 @@ void describe(Scene& s, Visitor&& visit) {
   visit.list("sources", s.sources, "discs that water flows out of");
   visit.list("drains", s.drains,
              "boxes that remove water and steam, but no ice, at the end of each frame");
+  visit.list("heat_regions", s.heat_regions,
+             "regions that heat or cool what is in them, with thermal.enabled");
   forEachColliderList(
       s, [&](auto& list, const ColliderKind& kind) { visit.list(kind.key, list, kind.meaning); });
   visit.list("gauges", s.gauges, "boxes without walls in which the water is measured");

@@ -74,10 +74,34 @@ class Simulation {
   /// the ranges of requireHeatedRegion, and if kMaxHeatedRegions are already active
   virtual void heatRegion(const HeatedRegion& region) = 0;
 
+  /// Switches a heat region of the scene on or off and changes its power from now on. scene() has
+  /// the values in force.
+  /// @param power_w below 0: cools; 0: unchanged
+  /// @throws InvalidInput as requireHeatRegion
+  virtual void setHeatRegion(const std::string& name, bool active, double power_w = 0.0) = 0;
+
+  /// Puts a heat region of the scene at a pose. One with a `follow_frame` heats nothing until it is
+  /// there. @throws InvalidInput for an unknown name or a pose that is not finite or too far
+  virtual void moveHeatRegion(const std::string& name, const Posed& pose) = 0;
+  /// Pose of a heat region of the scene now. @throws InvalidInput for an unknown name
+  virtual Posed heatRegionPose(const std::string& name) const = 0;
+
   /// Opens or closes a source and changes its flow from now on. scene() has the values in force.
   /// @param flow_l_min litres per minute; 0: unchanged
   /// @throws InvalidInput as requireSource
   virtual void setSource(const std::string& name, bool open, double flow_l_min = 0.0) = 0;
+
+  /// Moves the outlet of a source over the next frame; water leaves with its velocity too. With
+  /// more than solver.max_speed_m_s it jumps there. A source with a `follow_frame` is closed until
+  /// it is moved or placed.
+  /// @param pose of the disc; z is the direction of the flow
+  /// @throws InvalidInput for an unknown name or a pose that is not finite or too far
+  virtual void moveSource(const std::string& name, const Posed& pose) = 0;
+  /// Puts the outlet of a source at a pose at once, without motion. @throws InvalidInput as
+  /// moveSource
+  virtual void placeSource(const std::string& name, const Posed& pose) = 0;
+  /// Pose of the outlet of a source now. @throws InvalidInput for an unknown name
+  virtual Posed sourcePose(const std::string& name) const = 0;
 
   /// @throws InvalidInput outside [-1e4, 1e4] m/s^2
   virtual void setGravity(const Vec3d& gravity_m_s2) = 0;
@@ -144,6 +168,8 @@ std::unique_ptr<Simulation> makeSimulation(const Scene& scene,
 /// The checks of setTemperature, setGravity and other commands, for callers that queue these calls.
 void requireTemperature(double celsius, double ramp_s);
 void requireTarget(const Scene& scene, const std::string& target);
+/// @throws InvalidInput for a name that is no heat region of the scene, and outside [-1e9, 1e9] W
+void requireHeatRegion(const Scene& scene, const std::string& name, double power_w);
 /// Checks sizes (0 to 200 m), power (-1e9 to 1e9 W) and duration (0 to 1e6 s).
 void requireHeatedRegion(const Scene& scene, const HeatedRegion& region);
 void requireGravity(const Vec3d& gravity_m_s2);

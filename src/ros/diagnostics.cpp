@@ -160,9 +160,9 @@ void Diagnostics::followers(Status& status) {
   status.add("frames bounded since the start", now.bounded.count);
   status.add("frames that waited in vain since the start", now.waits.count);
   for (const Followers::Report::Frame& frame : now.frames) {
-    status.add(frame.collider + " age [s]", frame.age_s);
-    status.add(frame.collider + " rate [Hz]", frame.rate_hz);
-    status.add(frame.collider + " delay [s]", frame.delay_s);
+    status.add(frame.follower + " age [s]", frame.age_s);
+    status.add(frame.follower + " rate [Hz]", frame.rate_hz);
+    status.add(frame.follower + " delay [s]", frame.delay_s);
   }
 }
 

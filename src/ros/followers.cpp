@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
 
 namespace {
 
-/// Distance, m, and angle, rad, from which on a collider counts as behind its frame.
+/// Distance, m, and angle, rad, from which on a follower counts as behind its frame.
 constexpr double kBehind = 5e-4;
 
 PlaybackSettings settingsOf(const NodeParameters& parameters) {
@@ -38,8 +37,7 @@ Followers::Followers(const ros::NodeHandle& node, const NodeParameters& paramete
                      const OwnFrames& own)
     : scene_frame_(parameters.scene_frame),
       settings_(settingsOf(parameters)),
-      bounds_{parameters.tf_max_speed_m_s, parameters.tf_max_acceleration_m_s2,
-              parameters.tf_max_turning_rad_s},
+      bounds_(motionBounds(parameters)),
       frames_per_frame_(framesPerFrame(parameters)),
       listening_(node, buffer_, own, [this] {
         const std::lock_guard<std::mutex> lock(mutex_);
@@ -56,19 +54,19 @@ void Followers::sceneStarted(const Simulation& simulation) {
   settings.teleport = {solver.max_speed_m_s / solver.frame_rate_hz, solver.max_speed_m_s};
   frame_s_ = 1.0 / solver.frame_rate_hz;
   teleport_m_s_ = solver.max_speed_m_s;
-  names_.clear();
+  colliders_.clear();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     followers_.clear();
-    forEachCollider(simulation.scene(), [&](const Collider& collider) {
-      if (collider.follow_frame.empty()) return;
-      names_.push_back(collider.name);
-      followers_.push_back({collider.name, collider.follow_frame, collider.pose(),
-                            PosePlayback(settings), MotionLimit(bounds_), "", std::nullopt,
+    for (const Steered& what : everySteered(simulation.scene())) {
+      if (what.follow_frame.empty()) continue;
+      if (what.kind == SteeredKind::kCollider) colliders_.push_back(what.name);
+      followers_.push_back({what, PosePlayback(settings), MotionLimit(bounds_), "", std::nullopt,
                             ros::Time(), false, false});
-    });
+    }
+    any_ = !followers_.empty();
   }
-  listening_.want(!names_.empty());
+  listening_.want(any_);
   setLost({});
 }
 
@@ -77,7 +75,7 @@ void Followers::addOwn(const geometry_msgs::TransformStamped& transform, bool is
 }
 
 void Followers::move(Simulation& simulation, const ros::Time& stamp) {
-  if (names_.empty()) return;
+  if (!any_) return;
   clearAfterJump();
   std::vector<Target> targets;
   std::vector<std::string> lost;
@@ -107,8 +105,9 @@ std::vector<Followers::Target> Followers::play(double stamp_s) {
     std::optional<PosePlayback::Played> played = follower.playback.play(stamp_s);
     if (follower.fixed) played = PosePlayback::Played{*follower.fixed, false};
     if (!played) continue;
-    const Posed pose{played->pose.toWorld(follower.offset.position),
-                     played->pose.rotation * follower.offset.rotation};
+    const Posed& offset = follower.what.pose;
+    const Posed pose{played->pose.toWorld(offset.position),
+                     played->pose.rotation * offset.rotation};
     targets.push_back({&follower, pose, played->placed || !follower.placed});
   }
   return targets;
@@ -118,14 +117,14 @@ std::vector<Followers::Target> Followers::play(double stamp_s) {
 void Followers::place(Simulation& simulation, const std::vector<Target>& targets,
                       std::vector<std::string>& lost) {
   if (targets.empty()) return;
-  std::vector<ColliderPlacement> placements;
-  for (const Target& target : targets) placements.push_back({target.follower->name, target.pose});
+  std::vector<Placement> placements;
+  for (const Target& target : targets) placements.push_back({target.follower->what, target.pose});
   std::vector<double> distances_m;
-  for (const auto& [name, pose] : placements) {
-    distances_m.push_back((pose.position - simulation.colliderPose(name).position).norm());
+  for (const auto& [what, pose] : placements) {
+    distances_m.push_back((pose.position - poseNow(simulation, what).position).norm());
   }
   try {
-    simulation.placeColliders(placements);
+    placeSteered(simulation, placements);
   } catch (const std::exception& e) {
     if (targets.size() > 1) {
       for (const Target& target : targets) place(simulation, {target}, lost);
@@ -148,7 +147,7 @@ void Followers::moveOne(Simulation& simulation, const Target& target,
   Follower& follower = *target.follower;
   const MotionLimit::Step step = follower.limit.step(target.pose, frame_s_);
   try {
-    simulation.moveCollider(follower.name, step.pose);
+    moveSteered(simulation, follower.what, step.pose);
   } catch (const std::exception& e) {
     follower.placed = false;
     lost.push_back(lineOf(follower, e.what()));
@@ -170,9 +169,9 @@ Followers::Report Followers::report() const {
   for (const Follower& follower : followers_) {
     const PoseSamples& samples = follower.playback.samples();
     if (follower.fixed) {
-      report.frames.push_back({follower.name, 0.0, 0.0, 0.0});
+      report.frames.push_back({follower.what.name, 0.0, 0.0, 0.0});
     } else if (!samples.empty()) {
-      report.frames.push_back({follower.name, stamp_s_ - samples.newest().stamp_s,
+      report.frames.push_back({follower.what.name, stamp_s_ - samples.newest().stamp_s,
                                samples.rate_hz(), follower.playback.delay_s()});
     }
   }
@@ -180,25 +179,27 @@ Followers::Report Followers::report() const {
 }
 
 std::string Followers::lineOf(const Follower& follower, const std::string& why) {
-  return "collider " + follower.name + ", which follows tf frame " + follower.frame +
+  return follower.what.words() + ", which follows tf frame " + follower.what.follow_frame +
          ", does not move: " + why;
 }
 
 void Followers::noteJump(const Follower& follower, double distance_m) {
   const std::lock_guard<std::mutex> lock(mutex_);
   report_.jumps.count += 1;
-  report_.jumps.latest = "collider " + follower.name + " jumped " + roundedText(distance_m) +
-                         " m with tf frame " + follower.frame +
-                         " and took its contents along, because the frame moved faster than the " +
-                         numberText(teleport_m_s_) + " m/s of solver.max_speed_m_s";
+  const bool holds = follower.what.kind == SteeredKind::kCollider;
+  report_.jumps.latest = follower.what.words() + " jumped " + roundedText(distance_m) +
+                         " m with tf frame " + follower.what.follow_frame +
+                         (holds ? " and took its contents along" : "") +
+                         ", because the frame moved faster than the " + numberText(teleport_m_s_) +
+                         " m/s of solver.max_speed_m_s";
 }
 
 void Followers::noteBounded(const Follower& follower, const MotionLimit::Step& step) {
   const std::lock_guard<std::mutex> lock(mutex_);
   report_.bounded.count += 1;
   report_.bounded.latest =
-      "collider " + follower.name + " was " + roundedText(step.behind_m) + " m and " +
-      roundedText(step.behind_rad) + " rad behind tf frame " + follower.frame +
+      follower.what.words() + " was " + roundedText(step.behind_m) + " m and " +
+      roundedText(step.behind_rad) + " rad behind tf frame " + follower.what.follow_frame +
       ", which moves faster than ~tf_max_speed_m_s, ~tf_max_acceleration_m_s2 or "
       "~tf_max_turning_rad_s allow; move it more slowly, or raise them";
 }

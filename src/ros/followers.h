@@ -1,4 +1,4 @@
-// Colliders that follow a tf frame.
+// Colliders, sources and heat regions that follow a tf frame.
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
@@ -17,12 +17,13 @@
 #include "own_frames.h"
 #include "parameters.h"
 #include "pose_playback.h"
+#include "steered.h"
 #include "tf_listening.h"
 
 namespace ice_ice_baby {
 
-/// Moves colliders as their frames moved, a little later (PosePlayback), within the bounds of the
-/// parameters (MotionLimit). The first pose of a frame places its collider. In simulated time a
+/// Moves parts of the scene as their frames moved, a little later (PosePlayback), within the bounds
+/// of the parameters (MotionLimit). The first pose of a frame places its part. In simulated time a
 /// frame of the simulation waits for the transforms of its stamp, at most 0.5 s of wall time.
 /// Listens to tf only while the scene has a follower.
 class Followers {
@@ -32,8 +33,10 @@ class Followers {
 
   /// Simulation's thread, like the next three: a scene is at its start. Does not block.
   void sceneStarted(const Simulation& simulation);
-  /// Names of the followers of the scene.
-  const std::vector<std::string>& names() const { return names_; }
+  /// Whether the scene has followers.
+  bool any() const { return any_; }
+  /// Names of the colliders among them.
+  const std::vector<std::string>& colliders() const { return colliders_; }
   /// A transform that this node sends.
   void addOwn(const geometry_msgs::TransformStamped& transform, bool is_static);
   /// Moves each follower, over the next frame, to the pose for the stamp of this frame.
@@ -46,14 +49,14 @@ class Followers {
   /// What happened since the node started.
   struct Count {
     std::uint64_t count = 0;
-    std::string latest;  ///< collider and what happened
+    std::string latest;  ///< what of the scene, and what happened
   };
   struct Report {
     Count jumps;    ///< faster than solver.max_speed_m_s
-    Count bounded;  ///< frames in which a collider was behind because of its bounds
+    Count bounded;  ///< frames in which a follower was behind because of its bounds
     Count waits;    ///< frames that waited in vain for the transforms of their stamp
     struct Frame {
-      std::string collider;
+      std::string follower;  ///< its name
       double age_s = 0.0;    ///< of the newest pose, at the latest frame
       double rate_hz = 0.0;  ///< of poses; 0 for a frame that is fixed
       double delay_s = 0.0;
@@ -63,11 +66,9 @@ class Followers {
   Report report() const;
 
  private:
-  /// A collider that is fixed to a tf frame, at `offset` in it.
+  /// A part that is fixed to a tf frame, at its pose of the scene file in it.
   struct Follower {
-    std::string name;
-    std::string frame;
-    Posed offset;
+    Steered what;
     PosePlayback playback;
     MotionLimit limit;
     std::string missing;         ///< why tf has no pose, "" if it has one
@@ -101,9 +102,10 @@ class Followers {
   const std::string scene_frame_;
   const PlaybackSettings settings_;
   const MotionBounds bounds_;
-  const double frames_per_frame_;   ///< ROS time of a frame over its simulated time
-  std::vector<std::string> names_;  ///< simulation's thread, up to clear_at_
-  double frame_s_ = 1.0 / 60.0;     ///< simulated time of a frame
+  const double frames_per_frame_;  ///< ROS time of a frame over its simulated time
+  bool any_ = false;               ///< simulation's thread, up to clear_at_
+  std::vector<std::string> colliders_;
+  double frame_s_ = 1.0 / 60.0;  ///< simulated time of a frame
   double teleport_m_s_ = 0.0;
   ros::Time latest_;
   ros::WallTime clear_at_;  ///< 0: no jump

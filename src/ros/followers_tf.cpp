@@ -30,7 +30,8 @@ void Followers::collect() {
 
 void Followers::collect(Follower& follower, double now_s) {
   try {
-    const auto found = buffer_.lookupTransform(scene_frame_, follower.frame, ros::Time(0));
+    const auto found =
+        buffer_.lookupTransform(scene_frame_, follower.what.follow_frame, ros::Time(0));
     const Posed pose = poseOf(found.transform);
     follower.missing.clear();
     follower.fixed.reset();
@@ -64,8 +65,8 @@ void Followers::await(std::unique_lock<std::mutex>& lock, double stamp_s) {
     follower.late = true;
     report_.waits.count += 1;
     report_.waits.latest =
-        "a frame waited 0.5 s for tf frame " + follower.frame + ", which collider " +
-        follower.name +
+        "a frame waited 0.5 s for tf frame " + follower.what.follow_frame + ", which " +
+        follower.what.words() +
         " follows, and went on without it; the robot has to send a transform for each "
         "message on /clock, or at a steady rate";
     ROS_WARN("%s", report_.waits.latest.c_str());

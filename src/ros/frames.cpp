@@ -3,6 +3,7 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
 #include <set>
 
 #include "geometry.h"
@@ -37,13 +38,16 @@ Frames::Frames(ros::NodeHandle& node, const NodeParameters& parameters)
       clash_(node, own_),
       followers_(node, parameters, own_) {}
 
-void Frames::sceneStarted(const Simulation& simulation, const ros::Time& stamp) {
+void Frames::sceneStarted(const Simulation& simulation, const ros::Time& stamp,
+                          const std::vector<std::string>& dragged) {
   tf2_msgs::TFMessage message;
   message.transforms.push_back(transform(parent_, scene_frame_, scene_pose_, stamp));
   std::set<std::string> own{scene_frame_};
   forEachCollider(simulation.scene(), [&](const Collider& collider) {
     own.insert(frameOf(collider.name));
-    if (!collider.follow_frame.empty()) return;
+    const bool moves = !collider.follow_frame.empty() ||
+                       std::count(dragged.begin(), dragged.end(), collider.name) > 0;
+    if (moves) return;
     const Posed pose = simulation.colliderPose(collider.name);
     message.transforms.push_back(transform(scene_frame_, frameOf(collider.name), pose, stamp));
   });
@@ -51,18 +55,20 @@ void Frames::sceneStarted(const Simulation& simulation, const ros::Time& stamp) 
   for (const auto& fixed : message.transforms) followers_.addOwn(fixed, true);
   static_.publish(message);
   followers_.sceneStarted(simulation);
+  moving_ = followers_.colliders();
+  moving_.insert(moving_.end(), dragged.begin(), dragged.end());
   published_.clear();
-  for (const std::string& name : followers_.names()) {
+  for (const std::string& name : moving_) {
     published_.push_back(simulation.colliderPose(name));
   }
 }
 
 bool Frames::publishFollowers(const Simulation& simulation, const ros::Time& stamp) {
-  if (!follows()) return false;
+  if (published_.empty()) return false;
   bool moved = false;
   tf2_msgs::TFMessage message;
   for (std::size_t k = 0; k < published_.size(); ++k) {
-    const std::string& name = followers_.names()[k];
+    const std::string& name = moving_[k];
     const Posed pose = simulation.colliderPose(name);
     moved = moved || !same(pose, published_[k]);
     published_[k] = pose;

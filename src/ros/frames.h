@@ -13,16 +13,18 @@
 namespace ice_ice_baby {
 
 /// Publishes frame_id -> scene_frame and fixed colliders on /tf_static, colliders that follow a
-/// frame (followers) on /tf.
+/// frame (followers) or are dragged on /tf.
 class Frames {
  public:
   Frames(ros::NodeHandle& node, const NodeParameters& parameters);
 
   /// A scene is at its start. Like the next three, on the simulation's thread.
-  void sceneStarted(const Simulation& simulation, const ros::Time& stamp);
+  /// @param dragged colliders that move without following a frame
+  void sceneStarted(const Simulation& simulation, const ros::Time& stamp,
+                    const std::vector<std::string>& dragged = {});
 
   /// Whether the scene has followers.
-  bool follows() const { return !followers_.names().empty(); }
+  bool follows() const { return followers_.any(); }
 
   /// Moves each follower as its frame moved until `stamp`. May wait in simulated time; see
   /// Followers.
@@ -30,7 +32,7 @@ class Frames {
     followers_.move(simulation, stamp);
   }
 
-  /// Publishes the poses of the followers, once for each stamp.
+  /// Publishes the poses of the colliders that move, once for each stamp.
   /// @returns whether one has moved since the last call
   bool publishFollowers(const Simulation& simulation, const ros::Time& stamp);
 
@@ -47,9 +49,9 @@ class Frames {
   const Posed scene_pose_;
   ros::Publisher dynamic_;
   ros::Publisher static_;
-  std::vector<Posed>
-      published_;    ///< poses of the followers; simulation's thread, with the next one
-  ros::Time stamp_;  ///< of the last message on /tf
+  std::vector<std::string> moving_;  ///< colliders; simulation's thread, with the next two
+  std::vector<Posed> published_;     ///< their poses
+  ros::Time stamp_;                  ///< of the last message on /tf
   OwnFrames own_;
   FrameClash clash_;
   Followers followers_;

@@ -60,12 +60,16 @@ inline geometry_msgs::Transform transformMessage(const Posed& pose) {
   return message;
 }
 
+inline Mat3<double> rotationOf(const geometry_msgs::Quaternion& q) {
+  return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+}
+
 inline Posed poseOf(const geometry_msgs::Transform& message) {
-  const auto& q = message.rotation;
-  Posed pose;
-  pose.position = vectorOf(message.translation);
-  pose.rotation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-  return pose;
+  return {vectorOf(message.translation), rotationOf(message.rotation)};
+}
+
+inline Posed poseOf(const geometry_msgs::Pose& message) {
+  return {vectorOf(message.position), rotationOf(message.orientation)};
 }
 
 }  // namespace ice_ice_baby

@@ -6,6 +6,7 @@
 
 #include "ice_ice_baby/errors.h"
 #include "override_tree.h"
+#include "text_values.h"
 
 namespace ice_ice_baby {
 
@@ -33,6 +34,13 @@ class Reader {
 
   void operator()(const char* name, Vec3d& value, Range range, const char*) {
     if (!find(name)) return;
+    if (const std::optional<Vec3d> read = vectorIn(textOf(tree_[name]))) {
+      for (const double part : *read) {
+        requireInRange(std::string("parameter ~") + name, part, range.min, range.max);
+      }
+      value = *read;
+      return;
+    }
     if (tree_[name].getType() != XmlRpcValue::TypeArray || tree_[name].size() != 3) {
       refuse(name, "must be three numbers, as [0, 0, 1]");
     }
@@ -49,7 +57,11 @@ class Reader {
 
   void operator()(const char* name, std::string& value, const char*) {
     if (!find(name)) return;
-    if (tree_[name].getType() != XmlRpcValue::TypeString) refuse(name, "must be a text");
+    if (tree_[name].getType() != XmlRpcValue::TypeString) {
+      refuse(name,
+             "must be a text; a number as text needs quotes in YAML, type=\"str\" in a "
+             "launch file, and cannot be given as an argument of the node");
+    }
     value = static_cast<const std::string&>(tree_[name]);
   }
 
@@ -85,11 +97,21 @@ class Reader {
   }
 
  private:
+  /// "" for a value that is no text.
+  static std::string textOf(const XmlRpcValue& value) {
+    const bool text = value.getType() == XmlRpcValue::TypeString;
+    return text ? static_cast<const std::string&>(value) : std::string();
+  }
+
   double number(const std::string& name, const XmlRpcValue& value, Range range) const {
     const bool whole = value.getType() == XmlRpcValue::TypeInt;
-    if (!whole && value.getType() != XmlRpcValue::TypeDouble) refuse(name, "must be a number");
-    const double read =
-        whole ? double(static_cast<const int&>(value)) : static_cast<const double&>(value);
+    const std::optional<double> text = numberIn(textOf(value));
+    if (!whole && !text && value.getType() != XmlRpcValue::TypeDouble) {
+      refuse(name, "must be a number");
+    }
+    const double read = text    ? *text
+                        : whole ? double(static_cast<const int&>(value))
+                                : static_cast<const double&>(value);
     requireInRange("parameter ~" + name, read, range.min, range.max);
     return read;
   }

@@ -9,6 +9,7 @@
 #include "ice_ice_baby/params.h"
 #include "ice_ice_baby/scene_loader.h"
 #include "ice_ice_baby/simulation.h"
+#include "motion_limit.h"
 
 namespace ice_ice_baby {
 
@@ -38,6 +39,7 @@ struct NodeParameters {
   double tf_max_speed_m_s = 5.0;
   double tf_max_acceleration_m_s2 = 100.0;
   double tf_max_turning_rad_s = 20.0;
+  bool handles = false;
   std::string links;
   bool publish_clock = false;
   std::string checkpoint_folder;
@@ -46,6 +48,12 @@ struct NodeParameters {
   std::string robot_description;    ///< text of that parameter, read once; "": there is none
   std::vector<Override> overrides;  ///< tree `~overrides`: keys that replace those of every scene
 };
+
+/// Bounds of what follows a tf frame or is dragged.
+inline MotionBounds motionBounds(const NodeParameters& parameters) {
+  return {parameters.tf_max_speed_m_s, parameters.tf_max_acceleration_m_s2,
+          parameters.tf_max_turning_rad_s};
+}
 
 /// Lists every parameter except the tree of overrides, in the order of doc/ros_interface.md; see
 /// params.h.
@@ -87,14 +95,18 @@ void describe(NodeParameters& p, Visitor&& visit) {
   visit("diagnostic_period", p.diagnostic_period, Range{0.1, 3600.0},
         "interval between two messages on /diagnostics");
   visit("tf_delay_s", p.tf_delay_s, Range{-1.0, 2.0},
-        "how far colliders are behind the tf frames that they follow; negative: as little as the "
+        "how far what follows a tf frame is behind it; negative: as "
+        "little as the "
         "transforms allow, at most 0.5");
   visit("tf_max_speed_m_s", p.tf_max_speed_m_s, Range{0.01, 1000.0},
-        "largest speed of a collider that follows a tf frame");
+        "largest speed of a collider, source or heat region that follows a tf frame or is dragged");
   visit("tf_max_acceleration_m_s2", p.tf_max_acceleration_m_s2, Range{0.1, 1e5},
-        "largest acceleration of such a collider");
+        "its largest acceleration");
   visit("tf_max_turning_rad_s", p.tf_max_turning_rad_s, Range{0.01, 1000.0},
-        "largest angular velocity of such a collider");
+        "its largest angular velocity");
+  visit("handles", p.handles,
+        "whether rviz gets interactive markers that move colliders, sources and heat regions which "
+        "follow no tf frame");
   visit("links", p.links,
         "links of robot_description whose collision geometry are colliders that follow them: names "
         "between commas, with * for any characters");

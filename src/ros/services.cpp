@@ -28,6 +28,14 @@ double flowOf_l_min(const Snapshot& snapshot, const std::string& name) {
   return 0.0;
 }
 
+/// Power of a heat region, active or not; 0 without such a region.
+double powerOf_w(const Snapshot& snapshot, const std::string& name) {
+  for (const HeatRegionParams& region : snapshot.heat_regions) {
+    if (region.name == name) return region.power_w;
+  }
+  return 0.0;
+}
+
 std::string vectorText(const Vec3d& vector) {
   return "[" + numberText(vector.x()) + ", " + numberText(vector.y()) + ", " +
          numberText(vector.z()) + "]";
@@ -53,6 +61,7 @@ Services::Services(ros::NodeHandle& node, const NodeParameters& parameters,
               node.advertiseService("set_temperature", &Services::setTemperature, this),
               node.advertiseService("heat_region", &Services::heatRegion, this),
               node.advertiseService("set_gravity", &Services::setGravity, this),
+              node.advertiseService("set_heat_region", &Services::setHeatRegion, this),
               node.advertiseService("set_source", &Services::setSource, this),
               node.advertiseService("reset", &Services::reset, this),
               node.advertiseService("pause", &Services::pause, this),
@@ -96,6 +105,17 @@ bool Services::setGravity(SetGravity::Request& request, SetGravity::Response& re
     simulation_.setGravity(vectorOf(request.gravity));
     response.gravity = request.gravity;
     return std::string("gravity set");
+  });
+}
+
+bool Services::setHeatRegion(SetHeatRegion::Request& request, SetHeatRegion::Response& response) {
+  response.power_w = powerOf_w(simulation_.snapshot(), request.name);
+  return answer(response, [&] {
+    simulation_.setHeatRegion(request.name, request.active, request.power_w);
+    if (request.power_w != 0.0) response.power_w = request.power_w;
+    const std::string verb = response.power_w < 0.0 ? "cools" : "heats";
+    const std::string does = verb + " with " + numberText(std::abs(response.power_w)) + " W";
+    return "heat region " + request.name + " " + (request.active ? does : "is off");
   });
 }
 

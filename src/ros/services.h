@@ -6,6 +6,7 @@
 #include <ice_ice_baby/HeatRegion.h>
 #include <ice_ice_baby/Reset.h>
 #include <ice_ice_baby/SetGravity.h>
+#include <ice_ice_baby/SetHeatRegion.h>
 #include <ice_ice_baby/SetSource.h>
 #include <ice_ice_baby/SetTemperature.h>
 #include <ice_ice_baby/Step.h>
@@ -36,6 +37,7 @@ class Services {
   bool setTemperature(SetTemperature::Request& request, SetTemperature::Response& response);
   bool heatRegion(HeatRegion::Request& request, HeatRegion::Response& response);
   bool setGravity(SetGravity::Request& request, SetGravity::Response& response);
+  bool setHeatRegion(SetHeatRegion::Request& request, SetHeatRegion::Response& response);
   bool setSource(SetSource::Request& request, SetSource::Response& response);
   bool reset(Reset::Request& request, Reset::Response& response);
   bool step(Step::Request& request, Step::Response& response);

@@ -61,6 +61,7 @@ SimulationNode::SimulationNode(const ros::NodeHandle& node, const ros::NodeHandl
       scene_(sceneOf(parameters_, resumed_)),
       clock_(node_, parameters_.publish_clock),
       frames_(node_, parameters_),
+      handles_(private_, parameters_),
       topics_(private_, parameters_),
       simulation_(scene_, runOptions(), hooks(), std::move(resumed_.simulation)),
       services_(private_, parameters_, simulation_, topics_, clock_),
@@ -98,11 +99,13 @@ RunHooks SimulationNode::hooks() {
   RunHooks hooks;
   hooks.started = [this](const Simulation& simulation) {
     for (const std::string& line : meshWarnings(simulation.scene())) ROS_WARN("%s", line.c_str());
-    frames_.sceneStarted(simulation, clock_.stamp());
+    handles_.sceneStarted(simulation);
+    frames_.sceneStarted(simulation, clock_.stamp(), handles_.colliders());
     topics_.sceneStarted(simulation);
   };
   hooks.before_frame = [this](Simulation& simulation, const FrameBegin& frame) {
     frames_.moveFollowers(simulation, clock_.frameStamp(frame, frames_.follows()));
+    handles_.move(simulation);
     topics_.frameBegins(simulation);
   };
   hooks.tick = [this](const Simulation& simulation, const Snapshot& snapshot, bool settled) {

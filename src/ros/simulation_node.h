@@ -9,6 +9,7 @@
 #include "clock_publisher.h"
 #include "diagnostics.h"
 #include "frames.h"
+#include "handles.h"
 #include "master_watch.h"
 #include "parameters.h"
 #include "scene_loading.h"
@@ -41,6 +42,7 @@ class SimulationNode {
   const ServedScene scene_;
   ClockPublisher clock_;
   Frames frames_;
+  Handles handles_;
   Topics topics_;
   SimulationThread simulation_;
   Services services_;

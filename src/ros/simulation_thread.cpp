@@ -56,6 +56,11 @@ void SimulationThread::setGravity(const Vec3d& gravity_m_s2) {
   post(Kind::kChange, [=] { simulation_->setGravity(gravity_m_s2); });
 }
 
+void SimulationThread::setHeatRegion(const std::string& name, bool active, double power_w) {
+  requireHeatRegion(comingScene()->scene, name, power_w);
+  post(Kind::kChange, [=] { simulation_->setHeatRegion(name, active, power_w); });
+}
+
 void SimulationThread::setSource(const std::string& name, bool open, double flow_l_min) {
   requireSource(comingScene()->scene, name, flow_l_min);
   post(Kind::kChange, [=] { simulation_->setSource(name, open, flow_l_min); });
@@ -263,6 +268,7 @@ void SimulationThread::updateSnapshot() {
   latest_.thermal_speedup_wanted = scene.thermal.speedup;
   latest_.gravity_m_s2 = scene.gravity_m_s2;
   latest_.sources = scene.sources;
+  latest_.heat_regions = scene.heat_regions;
   latest_.source_warning = sourceWarning(scene, latest_.report);
   latest_.real_time_factor = latest_.paused ? 0.0 : real_time_factor_.value();
   const std::lock_guard<std::mutex> lock(mutex_);

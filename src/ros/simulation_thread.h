@@ -27,7 +27,8 @@ struct Snapshot {
   double thermal_speedup_wanted = 0.0;  ///< thermal.speedup of the scene
   std::vector<std::string> colliders;   ///< names
   std::vector<Source> sources;          ///< with the values in force
-  std::string source_warning;           ///< see sourceWarning
+  std::vector<HeatRegionParams> heat_regions;  ///< likewise
+  std::string source_warning;                  ///< see sourceWarning
   bool paused = false;
   double real_time_factor = 0.0;
   double simulated_s = 0.0;              ///< since the node started, over every reset
@@ -94,6 +95,8 @@ class SimulationThread {
   void setTemperature(double celsius, double ramp_s, const std::string& target = "");
   void heatRegion(const HeatedRegion& region);
   void setGravity(const Vec3d& gravity_m_s2);
+  /// @param power_w see Simulation::setHeatRegion
+  void setHeatRegion(const std::string& name, bool active, double power_w = 0.0);
   /// @param flow_l_min see Simulation::setSource
   void setSource(const std::string& name, bool open, double flow_l_min = 0.0);
   /// @param scene from loadScene, so already valid

@@ -20,6 +20,13 @@ blocks:
 planes:
   - {name: ground, heat: temperature}
   - {name: plate, size_x_m: 0.3, size_y_m: 0.3, position_m: [0, 0, 0.3], rpy_deg: [0, 10, 0]}
+sources:
+  - {name: tap, position_m: [0.4, 0, 0.4], radius_m: 0.06, flow_l_min: 600}
+  - {name: hose, radius_m: 0.06, speed_m_s: 3, follow_frame: hand}
+drains:
+  - {name: hole, min_m: [-0.1, -0.1, 0], max_m: [0, 0.1, 0.1], rate_l_min: 900}
+heat_regions:
+  - {name: torch, power_w: 500}
 )";
 
 constexpr int kMaxFrames = 5;
@@ -83,6 +90,23 @@ void run(Simulation& simulation, const std::string& line) {
   } else if (verb == "place") {
     const std::string collider = words.text();
     simulation.placeColliders({{collider, readPose(words)}});
+  } else if (verb == "source") {
+    const std::string source = words.text();
+    const bool open = words.number() != 0.0;
+    simulation.setSource(source, open, words.number());
+  } else if (verb == "carry") {
+    const std::string source = words.text();
+    simulation.moveSource(source, readPose(words));
+  } else if (verb == "put") {
+    const std::string source = words.text();
+    simulation.placeSource(source, readPose(words));
+  } else if (verb == "region") {
+    const std::string region = words.text();
+    const bool active = words.number() != 0.0;
+    simulation.setHeatRegion(region, active, words.number());
+  } else if (verb == "aim") {
+    const std::string region = words.text();
+    simulation.moveHeatRegion(region, readPose(words));
   } else if (verb == "frame") {
     simulation.advanceFrame();
   }

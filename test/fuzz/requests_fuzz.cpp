@@ -2,6 +2,8 @@
 #include <ice_ice_baby/LoadScene.h>
 #include <ice_ice_baby/Reset.h>
 #include <ice_ice_baby/SetGravity.h>
+#include <ice_ice_baby/SetHeatRegion.h>
+#include <ice_ice_baby/SetSource.h>
 #include <ice_ice_baby/SetTemperature.h>
 #include <ros/serialization.h>
 
@@ -21,6 +23,8 @@ thermal: {enabled: true}
 solver: {quality: fast}
 blocks: [{min_m: [-0.1, -0.1, 0], max_m: [0.1, 0.1, 0.1], celsius: -1}]
 planes: [{name: tank, heat: temperature}]
+sources: [{name: tap, position_m: [0, 0, 0.4], radius_m: 0.06, speed_m_s: 1}]
+heat_regions: [{name: torch, power_w: 500}]
 )";
 
 /// @throws ros::Exception if the bytes end too early; roscpp then calls no callback
@@ -46,6 +50,14 @@ void serve(Simulation& simulation, const std::string& bytes) {
       return simulation.heatRegion(regionOf(read<HeatRegion::Request>(rest)));
     case 'g':
       return simulation.setGravity(vectorOf(read<SetGravity::Request>(rest).gravity));
+    case 's': {
+      const auto request = read<SetSource::Request>(rest);
+      return simulation.setSource(request.name, request.open, request.flow_l_min);
+    }
+    case 'w': {
+      const auto request = read<SetHeatRegion::Request>(rest);
+      return simulation.setHeatRegion(request.name, request.active, request.power_w);
+    }
     case 'r': {
       const auto request = read<Reset::Request>(rest);
       requireSceneName(request.scene);

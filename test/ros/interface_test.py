@@ -344,7 +344,17 @@ class Interface(unittest.TestCase):
         self.assertTrue(answer.success)
         self.assertEqual(
             answer.scenes,
-            ["carried_cup", "coarse_steps", "followed", "gauged", "slow", "small", "tap", "warm"],
+            [
+                "carried_cup",
+                "coarse_steps",
+                "followed",
+                "gauged",
+                "slow",
+                "small",
+                "steered",
+                "tap",
+                "warm",
+            ],
         )
         self.assertEqual(
             [t.name for t in answer.state.topics],

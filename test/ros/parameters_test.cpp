@@ -90,6 +90,30 @@ TEST(Parameters, WrongTypesAreRefused) {
   EXPECT_TRUE(mentions(refusal(with("real_time_factor", std::nan(""))), "~real_time_factor"));
 }
 
+/// roscpp passes `_real_time_factor:=1e1` and `_scene_position_m:=[0,0,1]` as text.
+TEST(Parameters, NumbersOfACommandLineAreRead) {
+  XmlRpcValue tree;
+  tree["real_time_factor"] = "1e1";
+  tree["threads"] = "+2";
+  tree["scene_position_m"] = "[0,-1.5,1e1]";
+  tree["scene_rpy_deg"] = "[ 0, 0 , 90 ]";
+  const NodeParameters read = readParameters(tree);
+  EXPECT_EQ(read.real_time_factor, 10.0);
+  EXPECT_EQ(read.threads, 2);
+  EXPECT_EQ(read.scene_position_m, Vec3d(0, -1.5, 10));
+  EXPECT_EQ(read.scene_rpy_deg, Vec3d(0, 0, 90));
+  for (const char* bad : {"", "[]", "[1, 2]", "[1, 2, 3, 4]", "[1, 2, x]", "1, 2, 3", "[1, 2, ]",
+                          "[nan, 0, 0]", "[[1, 2, 3]]", "["}) {
+    EXPECT_TRUE(mentions(refusal(with("scene_position_m", bad)), "three numbers")) << bad;
+  }
+  for (const char* bad : {"", "1 2", "1e", "nan", "inf", "0x10", "1.5.2", "-"}) {
+    EXPECT_TRUE(mentions(refusal(with("real_time_factor", bad)), "must be a number")) << bad;
+  }
+  EXPECT_TRUE(mentions(refusal(with("scene_position_m", "[0, 0, 1e9]")), "1e+09 is outside"));
+  EXPECT_TRUE(mentions(refusal(with("threads", "1e300")), "1e+300 is outside"));
+  EXPECT_TRUE(mentions(refusal(with("links", 7)), "~links = 7 must be a text; a number as text"));
+}
+
 TEST(Parameters, FramesMustBeUsableAndDiffer) {
   EXPECT_TRUE(mentions(refusal(with("frame_id", "")), "~frame_id"));
   for (const std::string& frame :

@@ -30,6 +30,22 @@ class Watched final : public Simulation {
   void setSource(const std::string& name, bool open, double flow_l_min) override {
     real_->setSource(name, open, flow_l_min);
   }
+  void setHeatRegion(const std::string& name, bool active, double power_w) override {
+    real_->setHeatRegion(name, active, power_w);
+  }
+  void moveHeatRegion(const std::string& name, const Posed& pose) override {
+    real_->moveHeatRegion(name, pose);
+  }
+  Posed heatRegionPose(const std::string& name) const override {
+    return real_->heatRegionPose(name);
+  }
+  void moveSource(const std::string& name, const Posed& pose) override {
+    real_->moveSource(name, pose);
+  }
+  void placeSource(const std::string& name, const Posed& pose) override {
+    real_->placeSource(name, pose);
+  }
+  Posed sourcePose(const std::string& name) const override { return real_->sourcePose(name); }
   void setGravity(const Vec3d& gravity) override { real_->setGravity(gravity); }
   void moveCollider(const std::string& name, const Posed& pose) override {
     ++moves;

@@ -42,6 +42,9 @@ ALWAYS = [
     ("set_gravity", dict(gravity=Vector3(NAN, 0, 0)), ["gravity", "nan", "[-10000, 10000]"]),
     ("set_gravity", dict(gravity=Vector3(0, INF, 0)), ["gravity", "inf", "[-10000, 10000]"]),
     ("set_gravity", dict(gravity=Vector3(0, 0, -10001)), ["-10001", "[-10000, 10000]"]),
+    ("set_heat_region", dict(name="gunn", active=True), ["gunn"]),
+    ("set_heat_region", dict(name=LONG, active=True), ["xxx"]),
+    ("set_heat_region", dict(name=ODD, active=True), ["a"]),
     ("set_source", dict(name="tab", open=True), ["tab"]),
     ("set_source", dict(name=LONG, open=True), ["xxx"]),
     ("set_source", dict(name=ODD, open=True), ["a"]),
@@ -97,6 +100,12 @@ WITH_SOURCES = [
     ("set_source", dict(name="tap", open=True, flow_l_min=-INF), ["tap", "-inf", "[0, "]),
     ("set_source", dict(name="hose", open=True, flow_l_min=1e9), ["hose", "1e+09", "[0, "]),
 ]
+WITH_REGIONS = [
+    ("set_heat_region", dict(name="gunn", active=True), ["gunn", "gun, spray"]),
+    ("set_heat_region", dict(name="gun", active=True, power_w=NAN), ["gun", "nan", "[-1e+09"]),
+    ("set_heat_region", dict(name="gun", active=True, power_w=INF), ["gun", "inf", "[-1e+09"]),
+    ("set_heat_region", dict(name="gun", active=True, power_w=-2e9), ["-2e+09", "[-1e+09"]),
+]
 RUNNING = [("step", dict(frames=1), ["paused", "call pause first"])]
 WITHOUT_FIELDS = {"get_state", "pause", "resume"}  # their requests are empty
 
@@ -147,6 +156,9 @@ class Refusals(unittest.TestCase):
 
     def test_with_sources(self):
         self.refuse_all("tap", WITH_SOURCES)
+
+    def test_with_heat_regions(self):
+        self.refuse_all("steered", WITH_REGIONS)
 
     def test_while_running(self):
         self.node.start("small")

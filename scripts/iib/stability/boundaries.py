@@ -45,6 +45,7 @@ LISTS = {
     "cups": "cups=[{name: cup, position_m: [100, 100, -100]}]",
     "gauges": "gauges=[{name: box, size_m: [0.1, 0.1, 0.1]}]",
     "sources": "sources=[{name: tap, position_m: [0, 0, 5], radius_m: 0.05, speed_m_s: 1}]",
+    "heat_regions": "heat_regions=[{name: torch, power_w: 1}]",
     "drains": "drains=[{name: hole, min_m: [-9, -9, -9], max_m: [9, 9, -8]}]",
     "meshes": "meshes=[{name: mesh, file: block.obj, position_m: [0, 0, -5]}]",
 }
@@ -90,7 +91,7 @@ def asked(found, number):
     path = f"{section}.0.{name}" if section in (*LISTS, "blocks", "containers") else found.key
     sets = ROOM.get(found.key, (LISTS[section],) if section in LISTS else ())
     # Heat is on where its keys are, so that the ends are run and not only read.
-    scene = "frost" if section in ("thermal", "ice", "steam") else "pool"
+    scene = "frost" if section in ("thermal", "ice", "steam", "heat_regions") else "pool"
     return Asked(scene, (*sets, f"{path}={value_text(found, number)}"), duration_s=FRAMES_S)
 
 

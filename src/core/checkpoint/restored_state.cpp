@@ -23,6 +23,11 @@ bool isTemperature(double celsius) {
 }
 
 template <class Real>
+bool isPose(const Pose<Real>& pose) {
+  return pose.position.cwiseAbs().maxCoeff() <= kMaxCoordinate_m && isRotation(pose.rotation);
+}
+
+template <class Real>
 bool holds(const VectorField<Real>& field, std::size_t count) {
   return field.x.size() == count && field.y.size() == count && field.z.size() == count;
 }
@@ -96,14 +101,11 @@ void Neighbours<Real>::restore(std::size_t particles) {
 
 template <class Real>
 void Colliders<Real>::restore() const {
-  const auto possible = [](const auto& pose) {
-    return pose.position.cwiseAbs().maxCoeff() <= kMaxCoordinate_m && isRotation(pose.rotation);
-  };
   const bool motions = std::all_of(begin(), end(), [&](const MovingShape<Real>& collider) {
-    return possible(collider.motion.from) && possible(collider.motion.to);
+    return isPose(collider.motion.from) && isPose(collider.motion.to);
   });
   const bool travels = std::all_of(travels_.begin(), travels_.end(), [&](const Travel& travel) {
-    return possible(travel.start) && possible(travel.target);
+    return isPose(travel.start) && isPose(travel.target);
   });
   requireValid(travels && motions, "collider pose out of range");
 }
@@ -142,6 +144,12 @@ void HeatedRegions::restore(const Scene& scene) const {
   for (const HeatedRegion& region : active_) requireHeatedRegion(scene, region);
 }
 
+void SceneRegions::restore() const {
+  for (const Region& one : all_) {
+    requireValid(isPose(one.pose) && within(one.owed_j, -kMax, kMax), "heat region out of range");
+  }
+}
+
 template <class Real>
 void ThermalSolver<Real>::restore(std::size_t particles, const Scene& scene) const {
   requireValid(enthalpy_.size() == particles && received_.size() == particles,
@@ -154,6 +162,7 @@ void ThermalSolver<Real>::restore(std::size_t particles, const Scene& scene) con
                "thermal pass out of range");
   walls_.restore();
   regions_.restore(scene);
+  if (scene_regions_) scene_regions_->restore();
 }
 
 template <class Real>
@@ -199,11 +208,16 @@ void SubstepControl::restore() const {
                "number of substeps out of range");
 }
 
+void OutletMotion::restore() const {
+  requireValid(isPose(start_) && isPose(target_), "pose of a source out of range");
+}
+
 void Sources::restore() const {
   for (const Outflow& one : outflows_) {
     requireValid(within(one.progress, 0.0, 1.0) && allWithin(one.waiting, 0.0, 1.0) &&
                      one.waiting.size() == one.outlet.sites.size(),
                  "source out of range");
+    one.motion.restore();
   }
 }
 

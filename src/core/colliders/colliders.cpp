@@ -17,14 +17,6 @@ Motion<Real> standing(const Posed& pose) {
   return {pose.cast<Real>(), pose.cast<Real>()};
 }
 
-Posed between(const Posed& a, const Posed& b, double fraction) {
-  const Eigen::Quaterniond qa(a.rotation), qb(b.rotation);
-  Posed pose;
-  pose.position = a.position + fraction * (b.position - a.position);
-  pose.rotation = qa.slerp(fraction, qb).toRotationMatrix();
-  return pose;
-}
-
 }  // namespace
 
 /// Later lists push first, so that containers take precedence.

@@ -1,4 +1,4 @@
-// Motion of a collider in a substep.
+// Motion of a collider in a substep and over a frame.
 #pragma once
 
 #include "ice_ice_baby/types.h"
@@ -16,5 +16,15 @@ struct Motion {
     archive(self.from, self.to);
   }
 };
+
+/// Pose of a body that moves evenly from one pose to another.
+/// @param fraction of the way, 0 ... 1
+inline Posed between(const Posed& from, const Posed& to, double fraction) {
+  const Eigen::Quaterniond begin(from.rotation), end(to.rotation);
+  Posed pose;
+  pose.position = from.position + fraction * (to.position - from.position);
+  pose.rotation = begin.slerp(fraction, end).toRotationMatrix();
+  return pose;
+}
 
 }  // namespace ice_ice_baby

@@ -31,7 +31,7 @@ bool FreePlaces<Real>::take(Drop& drop, std::vector<Index>& in_the_way) {
   in_the_way.clear();
   if (!colliders_.empty()) {
     const std::optional<Vec3d> place = beside(drop.from_m, drop.position_m);
-    if (!place || !beside(drop.from_m, drop.from_m)) return false;
+    if (!place || !beside(drop.from_m, drop.site_m)) return false;
     drop.position_m = *place;
   }
   bool free = true;

@@ -68,15 +68,21 @@ double siteCount(const Source& source, double spacing_m) {
   return std::max(1.0, std::round(source.area_m2() / (spacing_m * spacing_m)));
 }
 
-Outlet::Outlet(const Source& source, double spacing_m)
-    : direction(source.direction.stableNormalized()) {
+Posed Source::pose() const {
+  const Vec3d along = direction.stableNormalized();
+  const auto [across, up] = axesAcross(along);
+  Posed pose;
+  pose.position = position_m;
+  pose.rotation << across, up, along;
+  return pose;
+}
+
+Outlet::Outlet(const Source& source, double spacing_m) {
   const auto count = static_cast<std::size_t>(siteCount(source, spacing_m));
-  const auto [across, up] = axesAcross(direction);
   // The area of the disc for each site, so that the layers fill the disc whatever its size.
   const double pitch_m = kWidened * std::sqrt(source.area_m2() / double(count));
   for (const Site& site : roundLayer(count)) {
-    const Vec3d offset = double(site.x) / 2 * across + double(site.y) / 2 * up;
-    sites.push_back(source.position_m + pitch_m * offset);
+    sites.emplace_back(pitch_m * double(site.x) / 2, pitch_m * double(site.y) / 2, 0.0);
   }
   layer_m3 = double(count) * spacing_m * spacing_m * spacing_m;
 }

@@ -19,8 +19,7 @@ double siteCount(const Source& source, double spacing_m);
 struct Outlet {
   Outlet(const Source& source, double spacing_m);
 
-  Vec3d direction;           ///< of the flow, a unit vector
-  std::vector<Vec3d> sites;  ///< in the disc, m
+  std::vector<Vec3d> sites;  ///< in the disc, m, relative to Source::pose()
   double layer_m3;           ///< water in a layer: a cube of the spacing for each site
 };
 

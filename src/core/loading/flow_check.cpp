@@ -1,9 +1,7 @@
 #include "loading/flow_check.h"
 
-#include <set>
-
 #include "flow/outlet.h"
-#include "ice_ice_baby/errors.h"
+#include "loading/item_names.h"
 
 namespace ice_ice_baby {
 
@@ -11,24 +9,6 @@ namespace {
 
 /// Directions shorter than this, m, count as 0.
 constexpr double kShortest = 1e-12;
-
-/// "sources.0 (tap)"
-template <class Item>
-std::string wordsFor(const char* list, std::size_t k, const Item& item) {
-  const std::string key = list + ("." + std::to_string(k));
-  return item.name.empty() ? key : key + " (" + shortened(item.name) + ")";
-}
-
-template <class Item>
-void requireNames(const std::vector<Item>& items, const std::string& noun) {
-  std::set<std::string> taken;
-  for (const Item& item : items) {
-    if (item.name.empty()) continue;  // allowed in scenes built in code
-    requireFrameName("name of a " + noun, item.name);
-    if (taken.insert(item.name).second) continue;
-    throw InvalidInput("two " + noun + "s are called " + item.name + "; give each its own name");
-  }
-}
 
 void requireSpeed(const Scene& scene, const Source& source, const std::string& words) {
   const bool both = source.speed_m_s > 0.0 && source.flow_l_min > 0.0;
@@ -52,9 +32,10 @@ void requireLiquid(const Scene& scene, const Source& source, const std::string& 
                  source.temperature_c, thermal.freezing_c, thermal.boiling_c);
 }
 
-void requireWithinBounds(const BoundsParams& bounds, const Outlet& outlet,
+void requireWithinBounds(const BoundsParams& bounds, const Outlet& outlet, const Posed& pose,
                          const std::string& words) {
-  for (const Vec3d& site : outlet.sites) {
+  for (const Vec3d& local : outlet.sites) {
+    const Vec3d site = pose.toWorld(local);
     for (int axis = 0; axis < 3; ++axis) {
       requireInRange(
           words + ": " + "xyz"[axis] + " in m of a place that water leaves, within bounds,",
@@ -76,7 +57,9 @@ void requireOutlet(const Scene& scene, const Source& source, const std::string& 
                        numberText(sites) + " particles at a time, more than " + numberText(most) +
                        "; lower radius_m, enlarge fluid.spacing_m, or raise limits.max_particles");
   }
-  requireWithinBounds(scene.bounds, Outlet(source, d), words);
+  // A source with a follow_frame has no place in the scene yet.
+  if (!source.follow_frame.empty()) return;
+  requireWithinBounds(scene.bounds, Outlet(source, d), source.pose(), words);
 }
 
 void requireBox(const Drain& drain, const std::string& words) {
@@ -96,6 +79,7 @@ void requireFlow(const Scene& scene) {
   for (std::size_t k = 0; k < scene.sources.size(); ++k) {
     const Source& source = scene.sources[k];
     const std::string words = wordsFor("sources", k, source);
+    requireFollowFrame(source, "source");
     requireSpeed(scene, source, words);
     requireLiquid(scene, source, words);
     requireOutlet(scene, source, words);

@@ -9,6 +9,8 @@
 #include "loading/bounds_check.h"
 #include "loading/flow_check.h"
 #include "loading/gauges_check.h"
+#include "loading/heat_regions_check.h"
+#include "loading/item_names.h"
 #include "particles/kernels.h"
 #include "scene/lattice.h"
 #include "spawn/spawn_check.h"
@@ -95,9 +97,7 @@ void requireNames(const Scene& scene) {
   forEachCollider(scene, [&](const Collider& collider) {
     if (collider.name.empty()) return;  // allowed in scenes built in code
     requireFrameName("name of a collider", collider.name);
-    if (!collider.follow_frame.empty()) {
-      requireFrameName("follow_frame of collider " + collider.name, collider.follow_frame);
-    }
+    requireFollowFrame(collider, "collider");
     if (!taken.insert(collider.name).second) {
       throw InvalidInput("two colliders are called " + collider.name + "; give each its own name");
     }
@@ -176,6 +176,7 @@ void validate(const Scene& scene) {
   requireBlocks(scene);
   requireBounds(scene);
   requireFlow(scene);
+  requireHeatRegions(scene);
   requireFluid(scene);
   requireFreeSpawn(scene);
 }

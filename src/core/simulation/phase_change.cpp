@@ -95,8 +95,10 @@ void PhaseChange<Real>::advance(const Particles<Real>& particles,
                                 const Neighbours<Real>& neighbours, double air_c) {
   const double frame_s = 1.0 / scene_.solver.frame_rate_hz;
   heat_due_s_ += frame_s;
+  SceneRegions* const regions = heat_.sceneRegions();
+  if (regions) regions->addFrame(frame_s);
   const double pass_s = std::min(kHeatWait_s, heat_.passLength_s() / scene_.thermal.speedup);
-  if (heat_due_s_ + frame_s > pass_s) {
+  if (heat_due_s_ + frame_s > pass_s || (regions && regions->moved())) {
     const ThermalStep<Real> step{heat_due_s_, air_c, &phases_.steamFlags(),
                                  &phases_.relativeVolume()};
     heat_clock_.run([&] { heat_.advance(particles, neighbours, step); });

@@ -89,6 +89,7 @@ const StepReport& Simulator<Real>::advanceFrame() {
   if (report_.substeps == 0 && wrench_meter_) {
     wrench_meter_->rest(1.0 / scene_.solver.frame_rate_hz);
   }
+  if (sources_) sources_->endFrame();
   observeVessels();
   if (vessel_tracker_) vessel_tracker_->endFrame(report_.time_s);
   report_.frame_wall_s = secondsSince(start);
@@ -118,7 +119,7 @@ void Simulator<Real>::runSubsteps() {
     if (wrench_meter_) wrench_meter_->begin(particles_);
     substep(dt_s);
     if (wrench_meter_) endWrenches(dt_s);
-    if (sources_) sources_clock_.run([&] { pour(dt_s); });
+    if (sources_) sources_clock_.run([&] { pour(k, substeps); });
   }
   report_.speed_limited += bodiesLimited() - limited_before;
   report_.correction_limited = fluid_->correctionsLimited() - cut_before;

@@ -38,7 +38,13 @@ class Simulator final : public Simulation {
   const Scene& scene() const override { return scene_; }
   void setTemperature(double celsius, double ramp_s, const std::string& target) override;
   void heatRegion(const HeatedRegion& region) override;
-  void setSource(const std::string& name, bool on, double flow_l_min) override;
+  void setHeatRegion(const std::string& name, bool active, double power_w) override;
+  void moveHeatRegion(const std::string& name, const Posed& pose) override;
+  Posed heatRegionPose(const std::string& name) const override;
+  void setSource(const std::string& name, bool open, double flow_l_min) override;
+  void moveSource(const std::string& name, const Posed& pose) override;
+  void placeSource(const std::string& name, const Posed& pose) override;
+  Posed sourcePose(const std::string& name) const override;
   void setGravity(const Vec3d& gravity_m_s2) override;
   void moveCollider(const std::string& name, const Posed& pose) override;
   void placeColliders(const std::vector<ColliderPlacement>& placements) override;
@@ -102,7 +108,7 @@ class Simulator final : public Simulation {
   void removeSpilled();
   std::size_t remove(const std::vector<char>& gone);
   double room() const;
-  void pour(double dt_s);
+  void pour(int substep, int substeps);
   void drain();
   void pourFrom(std::size_t k, const std::vector<Drop>& drops);
   void pushAlong(Index i, const Vec3d& velocity_m_s);
@@ -119,6 +125,8 @@ class Simulator final : public Simulation {
   void updateVelocityAndPosition(Real dt);
   void requirePlacement(const std::string& name, const Posed& pose) const;
   void requirePlacements(const std::vector<ColliderPlacement>& placements) const;
+  /// What moves farther in a frame jumps, m.
+  double farthest_m() const { return scene_.solver.max_speed_m_s / scene_.solver.frame_rate_hz; }
   void jumpColliders();
   std::size_t carryAlong(const std::vector<Jump<Real>>& jumps);
   void expelWater();

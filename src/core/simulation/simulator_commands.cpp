@@ -18,6 +18,39 @@ void requireHeat(const Scene& scene, const std::string& what) {
                      scene.name + " has one temperature for all of it");
 }
 
+void requirePose(const std::string& of, const Posed& pose) {
+  for (int axis = 0; axis < 3; ++axis) {
+    requireInRange("position of " + of, pose.position[axis], kCoordinateRange_m.min,
+                   kCoordinateRange_m.max);
+  }
+  // A reflection is unitary too, but its determinant is -1.
+  const auto& rotation = pose.rotation;
+  if (!rotation.allFinite() || !rotation.isUnitary(1e-6) || rotation.determinant() < 0.0) {
+    throw InvalidInput("rotation of " + of + " must be a unit quaternion");
+  }
+}
+
+/// Number of the item with this name. @param noun of an item
+/// @throws InvalidInput if there is none
+template <class Item>
+std::size_t numberOf(const Scene& scene, const std::vector<Item>& items, const std::string& noun,
+                     const std::string& name) {
+  std::vector<std::string> names;
+  for (const Item& item : items) names.push_back(item.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return std::size_t(found - names.begin());
+  throw InvalidInput("no " + noun + " \"" + shortened(name) + "\"; scene " + scene.name +
+                     (names.empty() ? " has none" : " has: " + joined(names)));
+}
+
+std::size_t numberOfSource(const Scene& scene, const std::string& name) {
+  return numberOf(scene, scene.sources, "source", name);
+}
+
+std::size_t numberOfHeatRegion(const Scene& scene, const std::string& name) {
+  return numberOf(scene, scene.heat_regions, "heat region", name);
+}
+
 }  // namespace
 
 template <class Real>
@@ -40,17 +73,57 @@ void Simulator<Real>::heatRegion(const HeatedRegion& region) {
 }
 
 template <class Real>
+void Simulator<Real>::setHeatRegion(const std::string& name, bool active, double power_w) {
+  requireHeatRegion(scene_, name, power_w);
+  HeatRegionParams& region = scene_.heat_regions[numberOfHeatRegion(scene_, name)];
+  region.active = active;
+  if (power_w != 0.0) region.power_w = power_w;
+}
+
+template <class Real>
+void Simulator<Real>::moveHeatRegion(const std::string& name, const Posed& pose) {
+  const std::size_t k = numberOfHeatRegion(scene_, name);
+  requirePose("heat region " + name, pose);
+  phase_change_->heat().sceneRegions()->move(k, pose);
+}
+
+template <class Real>
+Posed Simulator<Real>::heatRegionPose(const std::string& name) const {
+  const std::size_t k = numberOfHeatRegion(scene_, name);
+  return phase_change_->heat().sceneRegions()->pose(k);
+}
+
+template <class Real>
 void Simulator<Real>::setSource(const std::string& name, bool open, double flow_l_min) {
   requireSource(scene_, name, flow_l_min);
-  const auto source = std::find_if(scene_.sources.begin(), scene_.sources.end(),
-                                   [&](const Source& one) { return one.name == name; });
-  source->open = open;
+  Source& source = scene_.sources[numberOfSource(scene_, name)];
+  source.open = open;
   if (flow_l_min > 0.0) {
-    source->flow_l_min = flow_l_min;
-    source->speed_m_s = 0.0;
+    source.flow_l_min = flow_l_min;
+    source.speed_m_s = 0.0;
   }
   report_.sources_stopped = sources_->stopped(scene_, room());
   if (open) wake();
+}
+
+template <class Real>
+void Simulator<Real>::moveSource(const std::string& name, const Posed& pose) {
+  const std::size_t k = numberOfSource(scene_, name);
+  requirePose("source " + name, pose);
+  sources_->motion(k).moveTo(pose);
+}
+
+template <class Real>
+void Simulator<Real>::placeSource(const std::string& name, const Posed& pose) {
+  const std::size_t k = numberOfSource(scene_, name);
+  requirePose("source " + name, pose);
+  sources_->motion(k).place(pose);
+}
+
+template <class Real>
+Posed Simulator<Real>::sourcePose(const std::string& name) const {
+  const std::size_t k = numberOfSource(scene_, name);
+  return sources_->motion(k).at(0.0);
 }
 
 template <class Real>
@@ -64,15 +137,7 @@ void Simulator<Real>::setGravity(const Vec3d& gravity_m_s2) {
 template <class Real>
 void Simulator<Real>::requirePlacement(const std::string& name, const Posed& pose) const {
   colliders_.pose(name);  // throws for an unknown name
-  for (int axis = 0; axis < 3; ++axis) {
-    requireInRange("position of collider " + name, pose.position[axis], kCoordinateRange_m.min,
-                   kCoordinateRange_m.max);
-  }
-  // A reflection is unitary too, but its determinant is -1.
-  const auto& rotation = pose.rotation;
-  if (!rotation.allFinite() || !rotation.isUnitary(1e-6) || rotation.determinant() < 0.0) {
-    throw InvalidInput("rotation of collider " + name + " must be a unit quaternion");
-  }
+  requirePose("collider " + name, pose);
 }
 
 template <class Real>
@@ -140,19 +205,18 @@ void requireHeatedRegion(const Scene& scene, const HeatedRegion& region) {
                    kCoordinateRange_m.max);
     requireInRange("size" + name, region.size_m[axis], 0.0, 2 * kMaxCoordinate_m);
   }
-  requireInRange("power in watts", region.power_w, -1e9, 1e9);
+  requireInRange("power in watts", region.power_w, kPowerRange_w.min, kPowerRange_w.max);
   requireInRange("duration in seconds", region.duration_s, 0.0, 1e6);
 }
 
+void requireHeatRegion(const Scene& scene, const std::string& name, double power_w) {
+  numberOfHeatRegion(scene, name);  // throws for an unknown name
+  requireInRange("power of heat region " + name + " in watts", power_w, kPowerRange_w.min,
+                 kPowerRange_w.max);
+}
+
 void requireSource(const Scene& scene, const std::string& name, double flow_l_min) {
-  std::vector<std::string> names;
-  for (const Source& source : scene.sources) names.push_back(source.name);
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) {
-    throw InvalidInput("no source \"" + shortened(name) + "\"; scene " + scene.name +
-                       (names.empty() ? " has none" : " has: " + joined(names)));
-  }
-  const Source& source = scene.sources[std::size_t(found - names.begin())];
+  const Source& source = scene.sources[numberOfSource(scene, name)];
   const double fastest_l_min = scene.solver.max_speed_m_s * source.area_m2() * kLitresPerMinute;
   requireInRange("flow of source " + name + " in l/min", flow_l_min, 0.0,
                  std::min(fastest_l_min, kFlowRange_l_min.max));

@@ -16,8 +16,11 @@ double Simulator<Real>::room() const {
 /// Adds what the sources emitted in a substep that ends now. Only a substep is short enough: fast
 /// water between two frames would appear far from the outlet, behind walls and in other water.
 template <class Real>
-void Simulator<Real>::pour(double dt_s) {
+void Simulator<Real>::pour(int substep, int substeps) {
   if (!anyOpen(scene_.sources)) return;
+  if (substep == 0) sources_->beginFrame(scene_, farthest_m());
+  sources_->setSubstep(double(substep) / substeps, double(substep + 1) / substeps);
+  const double dt_s = 1.0 / (scene_.solver.frame_rate_hz * substeps);
   const std::uint32_t first_id = particles_.next_id;
   for (std::size_t k = 0; k < sources_->count(); ++k) {
     const std::vector<Drop>& drops = sources_->advance(scene_, k, dt_s, room());

@@ -95,8 +95,7 @@ int Simulator<Real>::relax(int before, int next) {
 
 template <class Real>
 void Simulator<Real>::jumpColliders() {
-  const double max_m = scene_.solver.max_speed_m_s / scene_.solver.frame_rate_hz;
-  const std::vector<Jump<Real>> jumps = jumpFastColliders(colliders_, particles_, max_m);
+  const std::vector<Jump<Real>> jumps = jumpFastColliders(colliders_, particles_, farthest_m());
   if (!jumps.empty()) report_.speed_limited += carryAlong(jumps);
 }
 

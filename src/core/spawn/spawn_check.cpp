@@ -62,8 +62,10 @@ class NamedSolids {
   void requireFree(const std::string& key, const Source& source, double spacing_m,
                    std::size_t k) const {
     const std::vector<Vec3d> sites = Outlet(source, spacing_m).sites;
-    const auto within = std::count_if(sites.begin(), sites.end(),
-                                      [&](const Vec3d& x) { return solids_.reached(k, x); });
+    const Posed pose = source.pose();
+    const auto within = std::count_if(sites.begin(), sites.end(), [&](const Vec3d& site) {
+      return solids_.reached(k, pose.toWorld(site));
+    });
     if (within == 0) return;
     refuse(key + " (" + shortened(source.name) + ")", std::size_t(within), sites.size(), k,
            "; change " + key + ".position_m or radius_m, or " + keys_[k] + ".position_m");
@@ -161,6 +163,7 @@ void requireFreeSpawn(const Scene& scene) {
   }
   requireApart(scene, points);
   for (std::size_t s = 0; s < scene.sources.size(); ++s) {
+    if (!scene.sources[s].follow_frame.empty()) continue;  // it has no place yet
     for (std::size_t k = 0; k < solids.count(); ++k) {
       solids.requireFree("sources." + std::to_string(s), scene.sources[s], scene.fluid.spacing_m,
                          k);

@@ -7,39 +7,44 @@
 
 namespace ice_ice_baby {
 
-namespace {
-
-bool holds(const HeatedRegion& region, const Vec3d& point) {
-  const Vec3d arm = 2 * (point - region.centre_m);
-  if (region.shape == BlockShape::kBox) {
-    return (arm.array().abs() <= region.size_m.array()).all();
-  }
-  return (arm.array() / region.size_m.array()).square().sum() <= 1.0;
+bool HeatedSpace::holds(const Vec3d& point) const {
+  const Vec3d arm = 2 * pose.toLocal(point);
+  if (shape == BlockShape::kBox) return (arm.array().abs() <= size_m.array()).all();
+  return (arm.array() / size_m.array()).square().sum() <= 1.0;
 }
 
-}  // namespace
+template <class Real>
+void spreadPower(const HeatedSpace& space, double watts, const VectorField<Real>& x,
+                 std::vector<Real>& power_w) {
+  const auto forEachInside = [&](const auto& visit) {
+    parallelFor(x.size(), [&](std::size_t i) {
+      if (space.holds(x.at(i).template cast<double>())) visit(i);
+    });
+  };
+  std::atomic<std::size_t> inside{0};
+  forEachInside([&](std::size_t) { inside.fetch_add(1, std::memory_order_relaxed); });
+  if (inside == 0) return;
+  const auto each = static_cast<Real>(watts / double(inside));
+  forEachInside([&](std::size_t i) { power_w[i] += each; });
+}
 
 template <class Real>
 void HeatedRegions::advance(const VectorField<Real>& x, double dt_s, std::vector<Real>& power_w) {
-  const auto forEachInside = [&](const HeatedRegion& region, const auto& visit) {
-    parallelFor(x.size(), [&](std::size_t i) {
-      if (holds(region, x.at(i).template cast<double>())) visit(i);
-    });
-  };
   for (HeatedRegion& region : active_) {
-    std::atomic<std::size_t> inside{0};
-    forEachInside(region, [&](std::size_t) { inside.fetch_add(1, std::memory_order_relaxed); });
     const double part = dt_s > 0.0 ? std::min(region.duration_s / dt_s, 1.0) : 0.0;
     region.duration_s -= dt_s;
-    if (inside == 0) continue;
-    const auto each = static_cast<Real>(part * region.power_w / double(inside));
-    forEachInside(region, [&](std::size_t i) { power_w[i] += each; });
+    const Posed pose{region.centre_m, Mat3<double>::Identity()};
+    spreadPower({region.shape, region.size_m, pose}, part * region.power_w, x, power_w);
   }
   active_.erase(std::remove_if(active_.begin(), active_.end(),
                                [](const HeatedRegion& region) { return region.duration_s <= 0.0; }),
                 active_.end());
 }
 
+template void spreadPower(const HeatedSpace&, double, const VectorField<float>&,
+                          std::vector<float>&);
+template void spreadPower(const HeatedSpace&, double, const VectorField<double>&,
+                          std::vector<double>&);
 template void HeatedRegions::advance(const VectorField<float>&, double, std::vector<float>&);
 template void HeatedRegions::advance(const VectorField<double>&, double, std::vector<double>&);
 

@@ -8,6 +8,21 @@
 
 namespace ice_ice_baby {
 
+/// A box, or the ellipsoid that fits into it.
+struct HeatedSpace {
+  BlockShape shape;  ///< kBox or kSphere
+  Vec3d size_m;      ///< of the box
+  Posed pose;        ///< of its centre
+
+  bool holds(const Vec3d& point) const;
+};
+
+/// Adds `watts` to `power_w`, spread evenly over the particles in the space; nothing without any.
+/// @param power_w (n) W
+template <class Real>
+void spreadPower(const HeatedSpace& space, double watts, const VectorField<Real>& x,
+                 std::vector<Real>& power_w);
+
 class HeatedRegions {
  public:
   void add(const HeatedRegion& region) { active_.push_back(region); }

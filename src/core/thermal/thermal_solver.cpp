@@ -49,6 +49,7 @@ ThermalSolver<Real>::ThermalSolver(const Scene& scene, const Colliders<Real>& co
   if (params_.air_heat_transfer_w_m2k > 0.0 && !colliders.empty()) {
     cover_.emplace(withCubicKernel(scene), colliders, lattice_.volume_m3);
   }
+  if (!scene.heat_regions.empty()) scene_regions_.emplace(scene.heat_regions);
   scaleBareArea();
 }
 
@@ -86,6 +87,7 @@ void ThermalSolver<Real>::advance(const Particles<Real>& particles,
   walls_.advance(step.dt_s);
   power_w_.assign(n, 0);
   regions_.advance(particles.position, step.dt_s, power_w_);
+  if (scene_regions_) scene_regions_->advance(particles.position, step.dt_s, power_w_);
   passes_ = 0;
   reached_speedup_ = 0.0;
   if (n == 0 || heat_s <= 0.0) return;
@@ -262,7 +264,8 @@ std::size_t ThermalSolver<Real>::bytes() const {
           relaxation_.capacity()) *
              sizeof(Real) +
          contact_.capacity() * sizeof(WallContact<Real>) + open_m2_.bytes() + walls_.bytes() +
-         links_.bytes() + regions_.bytes() + (cover_ ? cover_->bytes() : 0);
+         links_.bytes() + regions_.bytes() + (scene_regions_ ? scene_regions_->bytes() : 0) +
+         (cover_ ? cover_->bytes() : 0);
 }
 
 template class ThermalSolver<float>;

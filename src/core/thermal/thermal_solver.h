@@ -16,6 +16,7 @@
 #include "phase/enthalpy_curve.h"
 #include "thermal/conductances.h"
 #include "thermal/heated_regions.h"
+#include "thermal/scene_regions.h"
 
 namespace ice_ice_baby {
 
@@ -27,7 +28,7 @@ class ThermalSolver {
   /// Maximum number of steps per frame; a higher speed-up is not reached.
   static constexpr int kMaxPasses = 200;
 
-  /// Without particles. @param colliders must outlive it
+  /// Without particles. @param scene, colliders must outlive it
   ThermalSolver(const Scene& scene, const Colliders<Real>& colliders);
   ThermalSolver(const ThermalSolver&) = delete;
   ThermalSolver& operator=(const ThermalSolver&) = delete;
@@ -55,6 +56,9 @@ class ThermalSolver {
   void addRegion(const HeatedRegion& region) { regions_.add(region); }
   /// Number of active regions.
   std::size_t regions() const { return regions_.size(); }
+  /// The heat regions of the scene; null if it has none.
+  SceneRegions* sceneRegions() { return scene_regions_ ? &*scene_regions_ : nullptr; }
+  const SceneRegions* sceneRegions() const { return scene_regions_ ? &*scene_regions_ : nullptr; }
 
   const EnthalpyCurve& curve() const { return curve_; }
   /// (n) J/kg
@@ -81,6 +85,7 @@ class ThermalSolver {
   static void exchange(Self& self, Archive& archive) {
     archive(self.enthalpy_, self.received_, self.walls_, self.regions_, self.passes_,
             self.longest_pass_s_, self.reached_speedup_);
+    if (self.scene_regions_) archive(*self.scene_regions_);
   }
   /// @throws InvalidInput when what was read is not that of `particles` particles of this scene
   void restore(std::size_t particles, const Scene& scene) const;
@@ -108,6 +113,7 @@ class ThermalSolver {
   ThermalBoundaries<Real> walls_;
   Conductances<Real> links_;
   HeatedRegions regions_;
+  std::optional<SceneRegions> scene_regions_;  ///< if the scene has any
   const Colliders<Real>& colliders_;
   std::optional<BoundaryDensity<Real>> cover_;  ///< covers particles at walls from the air
   double steam_w_k_;                            ///< between a steam particle and the air

@@ -50,6 +50,22 @@ Scene iceInWater() {
   return scene;
 }
 
+/// Both outlets are carried about and turned; one of them jumps.
+Story carrying() {
+  Story story = filling("carried", test::splash());
+  story.scene.sources[1].follow_frame = "hand";
+  const auto act = [flow = story.act](Simulation& simulation, int frame) {
+    flow(simulation, frame);
+    const double s = 0.01 * frame;
+    simulation.moveSource("tap", poseOf({0.1 - s, s / 2, 0.4}, {180 + 400 * s, 100 * s, 0}));
+    if (frame < 9) return;
+    const double far_m = frame < 20 ? 0.0 : 0.8;
+    simulation.moveSource("jet", poseOf({-0.2 + far_m, s, 0.3}, {90 + 50 * s, 0, 20}));
+  };
+  story.act = act;
+  return story;
+}
+
 std::vector<Story> stories() {
   Scene dry = test::splash();
   dry.blocks.clear();
@@ -58,8 +74,13 @@ std::vector<Story> stories() {
   Scene adapted = test::splash();
   adapted.solver.target_error = 0.003;
   Scene paper = test::freezingSplash(Preset::kPaper);
-  return {filling("water", test::splash()), filling("dry", dry),     filling("freezing", freezing),
-          filling("adapted", adapted),      filling("paper", paper), filling("ice", iceInWater())};
+  return {filling("water", test::splash()),
+          filling("dry", dry),
+          filling("freezing", freezing),
+          filling("adapted", adapted),
+          filling("paper", paper),
+          filling("ice", iceInWater()),
+          carrying()};
 }
 
 void expectWhole(const Simulation& simulation, std::size_t start) {

@@ -78,7 +78,7 @@ TEST(Sources, ALayerIsRoundAndFillsTheDisc) {
     Vec3d mean = Vec3d::Zero();
     double nearest_m = 1.0, farthest_m = 0.0;
     for (const Vec3d& site : outlet.sites) {
-      const Vec3d from_centre = site - source.position_m;
+      const Vec3d from_centre = source.pose().rotation * site;
       mean += from_centre / double(outlet.sites.size());
       EXPECT_LT(std::abs(from_centre.dot(source.direction)), 1e-12);
       farthest_m = std::max(farthest_m, from_centre.norm());
