@@ -78,6 +78,7 @@ void describe(Scene& s, Visitor&& visit) {
              "boxes that remove water and steam, but no ice, at the end of each frame");
   forEachColliderList(
       s, [&](auto& list, const ColliderKind& kind) { visit.list(kind.key, list, kind.meaning); });
+  visit.list("solids", s.solids, "rigid bodies that fall, float and collide");
   visit.list("gauges", s.gauges, "boxes without walls in which the water is measured");
 }
 

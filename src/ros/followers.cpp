@@ -49,11 +49,17 @@ Followers::Followers(const ros::NodeHandle& node, const NodeParameters& paramete
   buffer_.setUsingDedicatedThread(true);
 }
 
+PlaybackSettings Followers::settingsFor(const Scene& scene) const {
+  PlaybackSettings settings = settings_;
+  settings.frame_s = std::min(0.1, frames_per_frame_ / scene.solver.frame_rate_hz);
+  settings.teleport = {scene.solver.max_speed_m_s / scene.solver.frame_rate_hz,
+                       scene.solver.max_speed_m_s};
+  return settings;
+}
+
 void Followers::sceneStarted(const Simulation& simulation) {
   const SolverParams& solver = simulation.scene().solver;
-  PlaybackSettings settings = settings_;
-  settings.frame_s = std::min(0.1, frames_per_frame_ / solver.frame_rate_hz);
-  settings.teleport = {solver.max_speed_m_s / solver.frame_rate_hz, solver.max_speed_m_s};
+  const PlaybackSettings settings = settingsFor(simulation.scene());
   frame_s_ = 1.0 / solver.frame_rate_hz;
   teleport_m_s_ = solver.max_speed_m_s;
   names_.clear();
@@ -65,10 +71,11 @@ void Followers::sceneStarted(const Simulation& simulation) {
       names_.push_back(collider.name);
       followers_.push_back({collider.name, collider.follow_frame, collider.pose(),
                             PosePlayback(settings), MotionLimit(bounds_), "", std::nullopt,
-                            ros::Time(), false, false});
+                            ros::Time(), false, false, false});
     });
   }
-  listening_.want(!names_.empty());
+  any_ = !names_.empty();
+  listening_.want(any_);
   setLost({});
 }
 
@@ -77,7 +84,7 @@ void Followers::addOwn(const geometry_msgs::TransformStamped& transform, bool is
 }
 
 void Followers::move(Simulation& simulation, const ros::Time& stamp) {
-  if (names_.empty()) return;
+  if (!any_) return;
   clearAfterJump();
   std::vector<Target> targets;
   std::vector<std::string> lost;
@@ -93,8 +100,9 @@ void Followers::move(Simulation& simulation, const ros::Time& stamp) {
     }
   }
   // What this uses of a follower changes on this thread only.
-  const auto moving = std::stable_partition(targets.begin(), targets.end(),
-                                            [](const Target& target) { return target.placed; });
+  const auto moving = std::stable_partition(
+      targets.begin(), targets.end(),
+      [](const Target& target) { return target.placed && !target.follower->solid; });
   place(simulation, {targets.begin(), moving}, lost);
   for (auto target = moving; target != targets.end(); ++target) moveOne(simulation, *target, lost);
   setLost(std::move(lost));
@@ -107,8 +115,10 @@ std::vector<Followers::Target> Followers::play(double stamp_s) {
     std::optional<PosePlayback::Played> played = follower.playback.play(stamp_s);
     if (follower.fixed) played = PosePlayback::Played{*follower.fixed, false};
     if (!played) continue;
-    const Posed pose{played->pose.toWorld(follower.offset.position),
-                     played->pose.rotation * follower.offset.rotation};
+    const bool placing = follower.solid && !follower.placed;  // then the offset is not known yet
+    const Posed pose = placing ? played->pose
+                               : Posed{played->pose.toWorld(follower.offset.position),
+                                       played->pose.rotation * follower.offset.rotation};
     targets.push_back({&follower, pose, played->placed || !follower.placed});
   }
   return targets;
@@ -146,9 +156,11 @@ void Followers::place(Simulation& simulation, const std::vector<Target>& targets
 void Followers::moveOne(Simulation& simulation, const Target& target,
                         std::vector<std::string>& lost) {
   Follower& follower = *target.follower;
+  if (follower.solid && !follower.placed) return startSolid(simulation, follower, target.pose);
   const MotionLimit::Step step = follower.limit.step(target.pose, frame_s_);
   try {
-    simulation.moveCollider(follower.name, step.pose);
+    if (follower.solid) simulation.holdSolid(follower.name, step.pose);
+    if (!follower.solid) simulation.moveCollider(follower.name, step.pose);
   } catch (const std::exception& e) {
     follower.placed = false;
     lost.push_back(lineOf(follower, e.what()));
@@ -179,9 +191,15 @@ Followers::Report Followers::report() const {
   return report;
 }
 
+/// "collider ball, which follows tf frame hand"
+std::string Followers::wordsFor(const Follower& follower) {
+  const std::string name = follower.solid ? "solid " + follower.name + ", which is attached to"
+                                          : "collider " + follower.name + ", which follows";
+  return name + " tf frame " + follower.frame;
+}
+
 std::string Followers::lineOf(const Follower& follower, const std::string& why) {
-  return "collider " + follower.name + ", which follows tf frame " + follower.frame +
-         ", does not move: " + why;
+  return wordsFor(follower) + ", does not move: " + why;
 }
 
 void Followers::noteJump(const Follower& follower, double distance_m) {
@@ -197,8 +215,9 @@ void Followers::noteBounded(const Follower& follower, const MotionLimit::Step& s
   const std::lock_guard<std::mutex> lock(mutex_);
   report_.bounded.count += 1;
   report_.bounded.latest =
-      "collider " + follower.name + " was " + roundedText(step.behind_m) + " m and " +
-      roundedText(step.behind_rad) + " rad behind tf frame " + follower.frame +
+      (follower.solid ? "solid " : "collider ") + follower.name + " was " +
+      roundedText(step.behind_m) + " m and " + roundedText(step.behind_rad) +
+      " rad behind tf frame " + follower.frame +
       ", which moves faster than ~tf_max_speed_m_s, ~tf_max_acceleration_m_s2 or "
       "~tf_max_turning_rad_s allow; move it more slowly, or raise them";
 }

@@ -1,4 +1,4 @@
-// Colliders that follow a tf frame.
+// Colliders that follow a tf frame, and floating solids that are attached to one.
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
@@ -24,16 +24,23 @@ namespace ice_ice_baby {
 /// Moves colliders as their frames moved, a little later (PosePlayback), within the bounds of the
 /// parameters (MotionLimit). The first pose of a frame places its collider. In simulated time a
 /// frame of the simulation waits for the transforms of its stamp, at most 0.5 s of wall time.
-/// Listens to tf only while the scene has a follower.
+/// Listens to tf only while there is a follower. A solid that is attached keeps the place relative
+/// to its frame that it has when the first pose of the frame arrives; until then it stays where it
+/// is.
 class Followers {
  public:
   /// @param own frames that this node sends itself; must outlive this object
   Followers(const ros::NodeHandle& node, const NodeParameters& parameters, const OwnFrames& own);
 
-  /// Simulation's thread, like the next three: a scene is at its start. Does not block.
+  /// Simulation's thread, like the next five: a scene is at its start. Does not block.
   void sceneStarted(const Simulation& simulation);
-  /// Names of the followers of the scene.
+  /// Names of the colliders of the scene that follow a frame.
   const std::vector<std::string>& names() const { return names_; }
+  /// Whether anything follows a frame now.
+  bool any() const { return any_; }
+  /// Attaches a solid to a tf frame; with an empty frame lets it go. @throws InvalidInput if it has
+  /// left the scene
+  void attach(Simulation& simulation, const std::string& solid, const std::string& frame);
   /// A transform that this node sends.
   void addOwn(const geometry_msgs::TransformStamped& transform, bool is_static);
   /// Moves each follower, over the next frame, to the pose for the stamp of this frame.
@@ -63,7 +70,7 @@ class Followers {
   Report report() const;
 
  private:
-  /// A collider that is fixed to a tf frame, at `offset` in it.
+  /// A collider or a solid that is fixed to a tf frame, at `offset` in it.
   struct Follower {
     std::string name;
     std::string frame;
@@ -74,7 +81,8 @@ class Followers {
     std::optional<Posed> fixed;  ///< pose of a frame that only static transforms lead to
     ros::Time newest;            ///< stamp of the newest sample
     bool placed = false;
-    bool late = false;  ///< a frame waited in vain; no other one does until a sample arrives
+    bool late = false;   ///< a frame waited in vain; no other one does until a sample arrives
+    bool solid = false;  ///< its offset is found when it is placed
   };
   /// Where a follower goes in a frame.
   struct Target {
@@ -84,6 +92,9 @@ class Followers {
   };
 
   double secondsOf(const ros::Time& time);
+  PlaybackSettings settingsFor(const Scene& scene) const;
+  void detach(const std::string& solid);
+  void startSolid(const Simulation& simulation, Follower& follower, const Posed& frame);
   void collect();
   void collect(Follower& follower, double now_s);
   bool ready(const Follower& follower, double stamp_s) const;
@@ -92,6 +103,7 @@ class Followers {
   void place(Simulation& simulation, const std::vector<Target>& targets,
              std::vector<std::string>& lost);
   void moveOne(Simulation& simulation, const Target& target, std::vector<std::string>& lost);
+  static std::string wordsFor(const Follower& follower);
   static std::string lineOf(const Follower& follower, const std::string& why);
   void noteJump(const Follower& follower, double distance_m);
   void noteBounded(const Follower& follower, const MotionLimit::Step& step);
@@ -103,7 +115,8 @@ class Followers {
   const MotionBounds bounds_;
   const double frames_per_frame_;   ///< ROS time of a frame over its simulated time
   std::vector<std::string> names_;  ///< simulation's thread, up to clear_at_
-  double frame_s_ = 1.0 / 60.0;     ///< simulated time of a frame
+  bool any_ = false;
+  double frame_s_ = 1.0 / 60.0;  ///< simulated time of a frame
   double teleport_m_s_ = 0.0;
   ros::Time latest_;
   ros::WallTime clear_at_;  ///< 0: no jump

@@ -1,4 +1,4 @@
-// tf frames of the scene and its colliders.
+// tf frames of the scene, its colliders and its floating solids.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -13,22 +13,30 @@
 namespace ice_ice_baby {
 
 /// Publishes frame_id -> scene_frame and fixed colliders on /tf_static, colliders that follow a
-/// frame (followers) on /tf.
+/// frame (followers) and floating solids on /tf.
 class Frames {
  public:
   Frames(ros::NodeHandle& node, const NodeParameters& parameters);
 
-  /// A scene is at its start. Like the next three, on the simulation's thread.
+  /// A scene is at its start. Like the next five, on the simulation's thread.
   void sceneStarted(const Simulation& simulation, const ros::Time& stamp);
 
-  /// Whether the scene has followers.
-  bool follows() const { return !followers_.names().empty(); }
+  /// Whether anything follows a frame.
+  bool follows() const { return followers_.any(); }
 
   /// Moves each follower as its frame moved until `stamp`. May wait in simulated time; see
   /// Followers.
   void moveFollowers(Simulation& simulation, const ros::Time& stamp) {
     followers_.move(simulation, stamp);
   }
+
+  /// As Followers::attach.
+  void attach(Simulation& simulation, const std::string& solid, const std::string& frame) {
+    followers_.attach(simulation, solid, frame);
+  }
+
+  /// Publishes the poses of the solids, once for each stamp.
+  void publishSolids(const Simulation& simulation, const ros::Time& stamp);
 
   /// Publishes the poses of the followers, once for each stamp.
   /// @returns whether one has moved since the last call
@@ -48,8 +56,9 @@ class Frames {
   ros::Publisher dynamic_;
   ros::Publisher static_;
   std::vector<Posed>
-      published_;    ///< poses of the followers; simulation's thread, with the next one
-  ros::Time stamp_;  ///< of the last message on /tf
+      published_;          ///< poses of the followers; simulation's thread, with the next one
+  ros::Time stamp_;        ///< of the last message on /tf about followers
+  ros::Time solid_stamp_;  ///< the same about solids
   OwnFrames own_;
   FrameClash clash_;
   Followers followers_;

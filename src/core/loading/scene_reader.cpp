@@ -178,6 +178,7 @@ void nameAll(Scene& scene) {
                       [](auto& list, const ColliderKind& kind) { nameItems(list, kind.noun); });
   nameItems(scene.sources, "source");
   nameItems(scene.drains, "drain");
+  nameItems(scene.solids, "solid");
 }
 
 void nameGauges(Scene& scene) {

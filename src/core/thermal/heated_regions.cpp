@@ -20,9 +20,12 @@ bool holds(const HeatedRegion& region, const Vec3d& point) {
 }  // namespace
 
 template <class Real>
-void HeatedRegions::advance(const VectorField<Real>& x, double dt_s, std::vector<Real>& power_w) {
+void HeatedRegions::advance(const VectorField<Real>& x, const ThermalStep<Real>& step,
+                            std::vector<Real>& power_w) {
+  const double dt_s = step.dt_s;
   const auto forEachInside = [&](const HeatedRegion& region, const auto& visit) {
     parallelFor(x.size(), [&](std::size_t i) {
+      if (step.solid(i)) return;
       if (holds(region, x.at(i).template cast<double>())) visit(i);
     });
   };
@@ -40,7 +43,9 @@ void HeatedRegions::advance(const VectorField<Real>& x, double dt_s, std::vector
                 active_.end());
 }
 
-template void HeatedRegions::advance(const VectorField<float>&, double, std::vector<float>&);
-template void HeatedRegions::advance(const VectorField<double>&, double, std::vector<double>&);
+template void HeatedRegions::advance(const VectorField<float>&, const ThermalStep<float>&,
+                                     std::vector<float>&);
+template void HeatedRegions::advance(const VectorField<double>&, const ThermalStep<double>&,
+                                     std::vector<double>&);
 
 }  // namespace ice_ice_baby

@@ -5,6 +5,7 @@
 
 #include "ice_ice_baby/simulation.h"
 #include "particles/particles.h"
+#include "thermal/conductances.h"
 
 namespace ice_ice_baby {
 
@@ -12,11 +13,12 @@ class HeatedRegions {
  public:
   void add(const HeatedRegion& region) { active_.push_back(region); }
 
-  /// Adds the mean power that each particle receives over the next `dt_s` of simulated time to
+  /// Adds the mean power that each particle receives over the next `step.dt_s` of simulated time to
   /// `power_w`, and removes regions that have ended. A region without particles heats nothing.
   /// @param power_w (n) W
   template <class Real>
-  void advance(const VectorField<Real>& x, double dt_s, std::vector<Real>& power_w);
+  void advance(const VectorField<Real>& x, const ThermalStep<Real>& step,
+               std::vector<Real>& power_w);
 
   std::size_t size() const { return active_.size(); }
   template <class Self, class Archive>
