@@ -36,4 +36,8 @@ struct MeshDetail {
 void forEachColliderMesh(const Scene& scene, const MeshDetail& detail,
                          const std::function<void(const Collider&, const ColliderMesh&)>& visit);
 
+/// Calls visit(solid, mesh) for the true shape of every floating solid, in the frame of the solid.
+void forEachSolidMesh(const Scene& scene, const MeshDetail& detail,
+                      const std::function<void(const Solid&, const ColliderMesh&)>& visit);
+
 }  // namespace ice_ice_baby

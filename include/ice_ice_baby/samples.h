@@ -10,12 +10,13 @@ namespace ice_ice_baby {
 /// In a thermal scene, particles change phase with hysteresis (thermal.hysteresis_c) and only after
 /// exchanging the latent heat, so the phase does not follow from the ice fraction: slush that flows
 /// is water, and ice that is melting is ice until all of it has melted. In other scenes every
-/// particle is ice while the whole scene is frozen, and water otherwise.
-enum class Phase : std::uint8_t { kWater, kIce, kSteam };
+/// particle of water is ice while the whole scene is frozen, and water otherwise. Particles of
+/// floating solids are solid in any scene.
+enum class Phase : std::uint8_t { kWater, kIce, kSteam, kSolid };
 
-constexpr Phase kPhases[] = {Phase::kWater, Phase::kIce, Phase::kSteam};
+constexpr Phase kPhases[] = {Phase::kWater, Phase::kIce, Phase::kSteam, Phase::kSolid};
 
-inline std::vector<std::string> choices(Phase) { return {"water", "ice", "steam"}; }
+inline std::vector<std::string> choices(Phase) { return {"water", "ice", "steam", "solid"}; }
 
 /// One particle.
 struct ParticleSample {

@@ -7,6 +7,7 @@
 #include "ice_ice_baby/collider_params.h"
 #include "ice_ice_baby/flow_params.h"
 #include "ice_ice_baby/params.h"
+#include "ice_ice_baby/solid_params.h"
 
 namespace ice_ice_baby {
 
@@ -107,6 +108,7 @@ struct Scene : ColliderLists {
   std::vector<Source> sources;
   std::vector<Drain> drains;
   std::vector<HeatRegionParams> heat_regions;
+  std::vector<Solid> solids;
 
   /// Support radius h in force, m, with 0 resolved.
   double supportRadius_m() const;
@@ -131,6 +133,8 @@ struct Scene : ColliderLists {
   double spacing_m(const Block& block) const;
   /// Factor on lambda in force, with 0 resolved; derived in doc/algorithm.md.
   double relaxation() const;
+  /// Whether particles differ in phase: with heat, or with solids.
+  bool hasPhases() const { return thermal.enabled || !solids.empty(); }
 };
 
 constexpr Range kGravityRange_m_s2{-1e4, 1e4};

@@ -98,6 +98,7 @@ void describe(Scene& s, Visitor&& visit) {
              "regions that heat or cool what is in them, with thermal.enabled");
   forEachColliderList(
       s, [&](auto& list, const ColliderKind& kind) { visit.list(kind.key, list, kind.meaning); });
+  visit.list("solids", s.solids, "rigid bodies that fall, float and collide");
   visit.list("gauges", s.gauges, "boxes without walls in which the water is measured");
 }
 

@@ -9,6 +9,7 @@
 #include "ice_ice_baby/collider_wrench.h"
 #include "ice_ice_baby/samples.h"
 #include "ice_ice_baby/scene.h"
+#include "ice_ice_baby/solid_state.h"
 #include "ice_ice_baby/step_report.h"
 #include "ice_ice_baby/vessel_report.h"
 
@@ -119,6 +120,20 @@ class Simulation {
   /// Pose of a collider now. @throws InvalidInput for an unknown name
   virtual Posed colliderPose(const std::string& name) const = 0;
 
+  /// Floating solids that are in the scene now, in the order of the scene.
+  virtual std::vector<SolidState> solids() const = 0;
+
+  /// Moves a solid to a pose over the next frame, as a gripper does: nothing holds it up, it pushes
+  /// water, ice and other solids aside, and passes through colliders. It moves no faster than
+  /// solver.max_speed_m_s. It stays where it is then, until it is moved again or let go.
+  /// @throws InvalidInput for an unknown name, a solid that has left the scene, or a pose that is
+  /// not finite or too far
+  virtual void holdSolid(const std::string& name, const Posed& pose) = 0;
+
+  /// Lets a solid go, with the velocity that it has. No effect on one that is not held.
+  /// @throws InvalidInput for an unknown name
+  virtual void releaseSolid(const std::string& name) = 0;
+
   /// Starts to measure what water and ice do to colliders, anew if it does so already, or stops.
   /// Off, it costs nothing. It does not change the simulation and is not part of a checkpoint.
   virtual void measureWrenches(bool measure) = 0;
@@ -176,5 +191,8 @@ void requireGravity(const Vec3d& gravity_m_s2);
 /// @throws InvalidInput for a name that is no source of the scene, and for a flow that is negative,
 /// not finite, or faster through the disc than solver.max_speed_m_s
 void requireSource(const Scene& scene, const std::string& name, double flow_l_min);
+
+/// Number of a solid of the scene. @throws InvalidInput for an unknown name
+Index requireSolid(const Scene& scene, const std::string& name);
 
 }  // namespace ice_ice_baby

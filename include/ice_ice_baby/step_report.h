@@ -65,6 +65,8 @@ void describeReproducible(Visitor&& visit, Records&... r) {
   visit("ice_bodies_asleep", r.ice_bodies_asleep..., "those of them that are at rest and sleep");
   visit("ice_particles", r.ice_particles..., "of phase ice; 0 without heat");
   visit("steam_particles", r.steam_particles..., "of phase steam, which the density solver skips");
+  visit("solids", r.solids..., "floating solids in the scene");
+  visit("solids_asleep", r.solids_asleep..., "floating solids that are at rest and sleep");
 }
 
 /// The same, including the wall clock.
@@ -111,6 +113,8 @@ struct StepReport {
   std::size_t ice_bodies_asleep = 0;
   std::size_t ice_particles = 0;
   std::size_t steam_particles = 0;
+  std::size_t solids = 0;
+  std::size_t solids_asleep = 0;
   double frame_wall_s = 0.0;
 
   /// For checkpoints, whose bytes do not depend on the machine.

@@ -47,11 +47,17 @@ Followers::Followers(const ros::NodeHandle& node, const NodeParameters& paramete
   buffer_.setUsingDedicatedThread(true);
 }
 
+PlaybackSettings Followers::settingsFor(const Scene& scene) const {
+  PlaybackSettings settings = settings_;
+  settings.frame_s = std::min(0.1, frames_per_frame_ / scene.solver.frame_rate_hz);
+  settings.teleport = {scene.solver.max_speed_m_s / scene.solver.frame_rate_hz,
+                       scene.solver.max_speed_m_s};
+  return settings;
+}
+
 void Followers::sceneStarted(const Simulation& simulation) {
   const SolverParams& solver = simulation.scene().solver;
-  PlaybackSettings settings = settings_;
-  settings.frame_s = std::min(0.1, frames_per_frame_ / solver.frame_rate_hz);
-  settings.teleport = {solver.max_speed_m_s / solver.frame_rate_hz, solver.max_speed_m_s};
+  const PlaybackSettings settings = settingsFor(simulation.scene());
   frame_s_ = 1.0 / solver.frame_rate_hz;
   teleport_m_s_ = solver.max_speed_m_s;
   colliders_.clear();
@@ -91,8 +97,9 @@ void Followers::move(Simulation& simulation, const ros::Time& stamp) {
     }
   }
   // What this uses of a follower changes on this thread only.
-  const auto moving = std::stable_partition(targets.begin(), targets.end(),
-                                            [](const Target& target) { return target.placed; });
+  const auto moving = std::stable_partition(
+      targets.begin(), targets.end(),
+      [](const Target& target) { return target.placed && !target.follower->solid(); });
   place(simulation, {targets.begin(), moving}, lost);
   for (auto target = moving; target != targets.end(); ++target) moveOne(simulation, *target, lost);
   setLost(std::move(lost));
@@ -105,9 +112,11 @@ std::vector<Followers::Target> Followers::play(double stamp_s) {
     std::optional<PosePlayback::Played> played = follower.playback.play(stamp_s);
     if (follower.fixed) played = PosePlayback::Played{*follower.fixed, false};
     if (!played) continue;
+    const bool placing = follower.solid() && !follower.placed;  // then its pose is not known yet
     const Posed& offset = follower.what.pose;
-    const Posed pose{played->pose.toWorld(offset.position),
-                     played->pose.rotation * offset.rotation};
+    const Posed pose = placing ? played->pose
+                               : Posed{played->pose.toWorld(offset.position),
+                                       played->pose.rotation * offset.rotation};
     targets.push_back({&follower, pose, played->placed || !follower.placed});
   }
   return targets;
@@ -145,6 +154,7 @@ void Followers::place(Simulation& simulation, const std::vector<Target>& targets
 void Followers::moveOne(Simulation& simulation, const Target& target,
                         std::vector<std::string>& lost) {
   Follower& follower = *target.follower;
+  if (follower.solid() && !follower.placed) return startSolid(simulation, follower, target.pose);
   const MotionLimit::Step step = follower.limit.step(target.pose, frame_s_);
   try {
     moveSteered(simulation, follower.what, step.pose);
@@ -178,9 +188,14 @@ Followers::Report Followers::report() const {
   return report;
 }
 
+/// "collider ball, which follows tf frame hand"
+std::string Followers::wordsFor(const Follower& follower) {
+  return follower.what.words() + (follower.solid() ? ", which is attached to" : ", which follows") +
+         " tf frame " + follower.what.follow_frame;
+}
+
 std::string Followers::lineOf(const Follower& follower, const std::string& why) {
-  return follower.what.words() + ", which follows tf frame " + follower.what.follow_frame +
-         ", does not move: " + why;
+  return wordsFor(follower) + ", does not move: " + why;
 }
 
 void Followers::noteJump(const Follower& follower, double distance_m) {

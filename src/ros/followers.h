@@ -1,4 +1,5 @@
-// Colliders, sources and heat regions that follow a tf frame.
+// What follows a tf frame: colliders, sources and heat regions, and floating solids that are
+// attached.
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
@@ -25,18 +26,23 @@ namespace ice_ice_baby {
 /// Moves parts of the scene as their frames moved, a little later (PosePlayback), within the bounds
 /// of the parameters (MotionLimit). The first pose of a frame places its part. In simulated time a
 /// frame of the simulation waits for the transforms of its stamp, at most 0.5 s of wall time.
-/// Listens to tf only while the scene has a follower.
+/// Listens to tf only while there is a follower. A solid that is attached keeps the place relative
+/// to its frame that it has when the first pose of the frame arrives; until then it stays where it
+/// is.
 class Followers {
  public:
   /// @param own frames that this node sends itself; must outlive this object
   Followers(const ros::NodeHandle& node, const NodeParameters& parameters, const OwnFrames& own);
 
-  /// Simulation's thread, like the next three: a scene is at its start. Does not block.
+  /// Simulation's thread, like the next five: a scene is at its start. Does not block.
   void sceneStarted(const Simulation& simulation);
-  /// Whether the scene has followers.
-  bool any() const { return any_; }
-  /// Names of the colliders among them.
+  /// Names of the colliders of the scene that follow a frame.
   const std::vector<std::string>& colliders() const { return colliders_; }
+  /// Whether anything follows a frame now.
+  bool any() const { return any_; }
+  /// Attaches a solid to a tf frame; with an empty frame lets it go. @throws InvalidInput if it has
+  /// left the scene
+  void attach(Simulation& simulation, const std::string& solid, const std::string& frame);
   /// A transform that this node sends.
   void addOwn(const geometry_msgs::TransformStamped& transform, bool is_static);
   /// Moves each follower, over the next frame, to the pose for the stamp of this frame.
@@ -66,9 +72,9 @@ class Followers {
   Report report() const;
 
  private:
-  /// A part that is fixed to a tf frame, at its pose of the scene file in it.
+  /// A part that is fixed to a tf frame, at its pose in it.
   struct Follower {
-    Steered what;
+    Steered what;  ///< its pose is that in the frame; of a solid known once it is placed
     PosePlayback playback;
     MotionLimit limit;
     std::string missing;         ///< why tf has no pose, "" if it has one
@@ -76,6 +82,8 @@ class Followers {
     ros::Time newest;            ///< stamp of the newest sample
     bool placed = false;
     bool late = false;  ///< a frame waited in vain; no other one does until a sample arrives
+
+    bool solid() const { return what.kind == SteeredKind::kSolid; }
   };
   /// Where a follower goes in a frame.
   struct Target {
@@ -85,6 +93,9 @@ class Followers {
   };
 
   double secondsOf(const ros::Time& time);
+  PlaybackSettings settingsFor(const Scene& scene) const;
+  void detach(const std::string& solid);
+  void startSolid(const Simulation& simulation, Follower& follower, const Posed& frame);
   void collect();
   void collect(Follower& follower, double now_s);
   bool ready(const Follower& follower, double stamp_s) const;
@@ -93,6 +104,7 @@ class Followers {
   void place(Simulation& simulation, const std::vector<Target>& targets,
              std::vector<std::string>& lost);
   void moveOne(Simulation& simulation, const Target& target, std::vector<std::string>& lost);
+  static std::string wordsFor(const Follower& follower);
   static std::string lineOf(const Follower& follower, const std::string& why);
   void noteJump(const Follower& follower, double distance_m);
   void noteBounded(const Follower& follower, const MotionLimit::Step& step);

@@ -65,10 +65,9 @@ void Followers::await(std::unique_lock<std::mutex>& lock, double stamp_s) {
     follower.late = true;
     report_.waits.count += 1;
     report_.waits.latest =
-        "a frame waited 0.5 s for tf frame " + follower.what.follow_frame + ", which " +
-        follower.what.words() +
-        " follows, and went on without it; the robot has to send a transform for each "
-        "message on /clock, or at a steady rate";
+        "a frame waited 0.5 s for the pose of " + wordsFor(follower) +
+        ", and went on without it; the robot has to send a transform for each message on /clock, "
+        "or at a steady rate";
     ROS_WARN("%s", report_.waits.latest.c_str());
   }
 }

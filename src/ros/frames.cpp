@@ -51,6 +51,7 @@ void Frames::sceneStarted(const Simulation& simulation, const ros::Time& stamp,
     const Posed pose = simulation.colliderPose(collider.name);
     message.transforms.push_back(transform(scene_frame_, frameOf(collider.name), pose, stamp));
   });
+  for (const Solid& solid : simulation.scene().solids) own.insert(frameOf(solid.name));
   own_.set(std::move(own));
   for (const auto& fixed : message.transforms) followers_.addOwn(fixed, true);
   static_.publish(message);
@@ -61,6 +62,17 @@ void Frames::sceneStarted(const Simulation& simulation, const ros::Time& stamp,
   for (const std::string& name : moving_) {
     published_.push_back(simulation.colliderPose(name));
   }
+}
+
+void Frames::publishSolids(const Simulation& simulation, const ros::Time& stamp) {
+  if (simulation.scene().solids.empty() || stamp == solid_stamp_) return;
+  if (dynamic_.getNumSubscribers() == 0) return;
+  solid_stamp_ = stamp;
+  tf2_msgs::TFMessage message;
+  for (const SolidState& state : simulation.solids()) {
+    message.transforms.push_back(transform(scene_frame_, frameOf(state.name), state.pose, stamp));
+  }
+  dynamic_.publish(message);
 }
 
 bool Frames::publishFollowers(const Simulation& simulation, const ros::Time& stamp) {

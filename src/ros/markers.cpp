@@ -18,6 +18,7 @@ struct Colour {
 constexpr Colour kGlass{0.60f, 0.75f, 0.85f};
 constexpr Colour kGround{0.55f, 0.55f, 0.55f};
 constexpr Colour kObject{0.85f, 0.55f, 0.30f};
+constexpr Colour kSolid{0.80f, 0.52f, 0.28f};
 constexpr Colour kEdge{0.90f, 0.95f, 1.00f};
 constexpr Colour kSpring{0.20f, 0.45f, 0.85f};
 
@@ -127,6 +128,17 @@ MarkerArray colliderMarkers(const Scene& scene, const std::vector<Posed>& poses,
       }
     }
     ++pose;
+  });
+  return array;
+}
+
+MarkerArray solidMarkers(const Scene& scene, const std_msgs::Header& header) {
+  MarkerArray array;
+  forEachSolidMesh(scene, {}, [&](const Solid& solid, const ColliderMesh& mesh) {
+    if (solid.opacity == 0.0) return;
+    array.markers.push_back(
+        makeMarker(header, solid.name, 0, Marker::TRIANGLE_LIST, kSolid, solid.opacity));
+    fillSurface(mesh, array.markers.back());
   });
   return array;
 }

@@ -1,4 +1,4 @@
-// Springs and colliders as markers.
+// Springs, colliders and floating solids as markers.
 #pragma once
 
 #include <visualization_msgs/MarkerArray.h>
@@ -24,5 +24,9 @@ visualization_msgs::MarkerArray springMarkers(const std::vector<SpringSample>& s
 /// @param poses of the colliders of `scene`, in the order of forEachCollider
 visualization_msgs::MarkerArray colliderMarkers(const Scene& scene, const std::vector<Posed>& poses,
                                                 const std_msgs::Header& header);
+
+/// The true shape of every floating solid, one marker each, with its name as namespace and at the
+/// origin of `header`; solids of opacity 0 are left out.
+visualization_msgs::MarkerArray solidMarkers(const Scene& scene, const std_msgs::Header& header);
 
 }  // namespace ice_ice_baby

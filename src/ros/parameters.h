@@ -34,6 +34,7 @@ struct NodeParameters {
   double state_rate_hz = 10.0;
   double vessels_rate_hz = 10.0;
   double wrenches_rate_hz = 60.0;
+  double solids_rate_hz = 60.0;
   double diagnostic_period = 1.0;
   double tf_delay_s = -1.0;
   double tf_max_speed_m_s = 5.0;
@@ -92,6 +93,8 @@ void describe(NodeParameters& p, Visitor&& visit) {
       "messages about vessels and gauges per second of wall time, at most one per frame; 0: none");
   visit("wrenches_rate_hz", p.wrenches_rate_hz, Range{0.0, 1000.0},
         "messages about each collider per second of wall time, at most one per frame; 0: none");
+  visit("solids_rate_hz", p.solids_rate_hz, Range{0.0, 1000.0},
+        "messages about floating solids per second of wall time, at most one per frame; 0: none");
   visit("diagnostic_period", p.diagnostic_period, Range{0.1, 3600.0},
         "interval between two messages on /diagnostics");
   visit("tf_delay_s", p.tf_delay_s, Range{-1.0, 2.0},

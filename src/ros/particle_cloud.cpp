@@ -61,10 +61,11 @@ void writePoints(const std::vector<ParticleSample>& samples, Colour colourOf, st
   }
 }
 
-/// particleColour of a sample; without heat all of them have the same.
+/// particleColour of a sample; without heat all water has the same.
 class SceneColour {
  public:
   std::uint32_t operator()(const ParticleSample& sample) {
+    if (sample.phase == Phase::kSolid) return solid_;
     if (sample.ice_fraction != ice_fraction_) {
       ice_fraction_ = sample.ice_fraction;
       colour_ = particleColour(ice_fraction_);
@@ -75,6 +76,7 @@ class SceneColour {
  private:
   float ice_fraction_ = 0.0f;
   std::uint32_t colour_ = particleColour(0.0f);
+  const std::uint32_t solid_ = solidColour();
 };
 
 }  // namespace

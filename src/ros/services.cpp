@@ -63,6 +63,7 @@ Services::Services(ros::NodeHandle& node, const NodeParameters& parameters,
               node.advertiseService("set_gravity", &Services::setGravity, this),
               node.advertiseService("set_heat_region", &Services::setHeatRegion, this),
               node.advertiseService("set_source", &Services::setSource, this),
+              node.advertiseService("attach", &Services::attach, this),
               node.advertiseService("reset", &Services::reset, this),
               node.advertiseService("pause", &Services::pause, this),
               node.advertiseService("resume", &Services::resume, this),
@@ -126,6 +127,15 @@ bool Services::setSource(SetSource::Request& request, SetSource::Response& respo
     if (request.flow_l_min > 0.0) response.flow_l_min = request.flow_l_min;
     return "source " + request.name + " is " + (request.open ? "open" : "closed") + ", " +
            numberText(response.flow_l_min) + " l/min";
+  });
+}
+
+bool Services::attach(Attach::Request& request, Attach::Response& response) {
+  return answer(response, [&] {
+    simulation_.attach(request.solid, request.frame);
+    response.frame = request.frame;
+    return "solid " + request.solid +
+           (request.frame.empty() ? " let go" : " attached to tf frame " + request.frame);
   });
 }
 

@@ -2,6 +2,7 @@
 // answers without waiting for the solver.
 #pragma once
 
+#include <ice_ice_baby/Attach.h>
 #include <ice_ice_baby/GetState.h>
 #include <ice_ice_baby/HeatRegion.h>
 #include <ice_ice_baby/Reset.h>
@@ -39,6 +40,7 @@ class Services {
   bool setGravity(SetGravity::Request& request, SetGravity::Response& response);
   bool setHeatRegion(SetHeatRegion::Request& request, SetHeatRegion::Response& response);
   bool setSource(SetSource::Request& request, SetSource::Response& response);
+  bool attach(Attach::Request& request, Attach::Response& response);
   bool reset(Reset::Request& request, Reset::Response& response);
   bool step(Step::Request& request, Step::Response& response);
   bool pause(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);

@@ -108,10 +108,13 @@ RunHooks SimulationNode::hooks() {
     handles_.move(simulation);
     topics_.frameBegins(simulation);
   };
+  hooks.attach = [this](Simulation& simulation, const std::string& solid,
+                        const std::string& frame) { frames_.attach(simulation, solid, frame); };
   hooks.tick = [this](const Simulation& simulation, const Snapshot& snapshot, bool settled) {
     clock_.tick(snapshot.simulated_s);
     const ros::Time stamp = clock_.stamp();
     const bool moved = frames_.publishFollowers(simulation, stamp);
+    frames_.publishSolids(simulation, stamp);
     topics_.publish(simulation, snapshot, stamp, moved, settled);
   };
   return hooks;

@@ -66,6 +66,12 @@ void SimulationThread::setSource(const std::string& name, bool open, double flow
   post(Kind::kChange, [=] { simulation_->setSource(name, open, flow_l_min); });
 }
 
+void SimulationThread::attach(const std::string& solid, const std::string& frame) {
+  requireSolid(comingScene()->scene, solid);
+  if (!frame.empty()) requireFrameName("frame", frame);
+  post(Kind::kChange, [=] { hooks_.attach(*simulation_, solid, frame); });
+}
+
 void SimulationThread::reset(const ServedScene& scene) {
   const auto coming = std::make_shared<const ServedScene>(scene);
   const auto begin = [this, coming] {

@@ -72,6 +72,9 @@ struct RunHooks {
   std::function<void(const Simulation&)> started = [](const Simulation&) {};
   std::function<void(Simulation&, const FrameBegin&)> before_frame = [](Simulation&,
                                                                         const FrameBegin&) {};
+  /// A solid is attached to a tf frame, or let go where the frame is empty.
+  std::function<void(Simulation&, const std::string& solid, const std::string& frame)> attach =
+      [](Simulation&, const std::string&, const std::string&) {};
   /// After each frame, and at least every 50 ms. @param settled whether no frame follows by itself
   std::function<void(const Simulation&, const Snapshot&, bool settled)> tick =
       [](const Simulation&, const Snapshot&, bool) {};
@@ -99,6 +102,8 @@ class SimulationThread {
   void setHeatRegion(const std::string& name, bool active, double power_w = 0.0);
   /// @param flow_l_min see Simulation::setSource
   void setSource(const std::string& name, bool open, double flow_l_min = 0.0);
+  /// @param frame tf frame; "": the solid is let go
+  void attach(const std::string& solid, const std::string& frame);
   /// @param scene from loadScene, so already valid
   void reset(const ServedScene& scene);
   /// Replaces the simulation by this one.

@@ -1,12 +1,24 @@
 #include "steered.h"
 
+#include <algorithm>
+
 #include "ice_ice_baby/each_collider.h"
+#include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
 
 namespace {
 
-constexpr const char* kNouns[] = {"collider", "source", "heat region"};  // of each SteeredKind
+constexpr const char* kNouns[] = {"collider", "source", "heat region",
+                                  "solid"};  // of each SteeredKind
+
+Posed poseOfSolid(const Simulation& simulation, const std::string& name) {
+  const std::vector<SolidState> states = simulation.solids();
+  const auto found = std::find_if(states.begin(), states.end(),
+                                  [&](const SolidState& state) { return state.name == name; });
+  if (found != states.end()) return found->pose;
+  throw InvalidInput("solid " + name + " has left the bounds of the scene; reset the scene");
+}
 
 }  // namespace
 
@@ -28,12 +40,14 @@ std::vector<Steered> everySteered(const Scene& scene) {
 Posed poseNow(const Simulation& simulation, const Steered& what) {
   if (what.kind == SteeredKind::kSource) return simulation.sourcePose(what.name);
   if (what.kind == SteeredKind::kHeatRegion) return simulation.heatRegionPose(what.name);
+  if (what.kind == SteeredKind::kSolid) return poseOfSolid(simulation, what.name);
   return simulation.colliderPose(what.name);
 }
 
 void moveSteered(Simulation& simulation, const Steered& what, const Posed& pose) {
   if (what.kind == SteeredKind::kSource) return simulation.moveSource(what.name, pose);
   if (what.kind == SteeredKind::kHeatRegion) return simulation.moveHeatRegion(what.name, pose);
+  if (what.kind == SteeredKind::kSolid) return simulation.holdSolid(what.name, pose);
   simulation.moveCollider(what.name, pose);
 }
 

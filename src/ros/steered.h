@@ -1,4 +1,4 @@
-// What a robot can move: colliders, sources and heat regions.
+// What a robot can move: colliders, sources and heat regions, and solids that it holds.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace ice_ice_baby {
 
-enum class SteeredKind { kCollider, kSource, kHeatRegion };
+enum class SteeredKind { kCollider, kSource, kHeatRegion, kSolid };
 
 /// A part of the scene that can be moved.
 struct Steered {
@@ -21,12 +21,12 @@ struct Steered {
   std::string words() const;
 };
 
-/// All of a scene, each kind in the order of the scene.
+/// All of a scene but its solids, which move by themselves; each kind in the order of the scene.
 std::vector<Steered> everySteered(const Scene& scene);
 
 /// Pose now. @throws InvalidInput as Simulation, like the next two
 Posed poseNow(const Simulation& simulation, const Steered& what);
-/// Moves it to a pose over the next frame.
+/// Moves it to a pose over the next frame; a solid is held at the pose.
 void moveSteered(Simulation& simulation, const Steered& what, const Posed& pose);
 struct Placement {
   Steered what;

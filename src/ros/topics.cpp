@@ -20,6 +20,7 @@ Topics::Topics(ros::NodeHandle& node, const NodeParameters& parameters)
       state_(parameters.state_rate_hz),
       vessels_(parameters.vessels_rate_hz),
       wrenches_(node, parameters.scene_frame, parameters.wrenches_rate_hz),
+      solids_(node, parameters.scene_frame, parameters.solids_rate_hz),
       publisher_({[this] { publishParticles(); }, [this] { publishSprings(); },
                   [this] { publishColliders(); }, [this] { publishState(); },
                   [this] { publishVessels(); }}) {
@@ -38,6 +39,7 @@ void Topics::sceneStarted(const Simulation& simulation) {
   collider_news_ = {};
   scene_started_ = true;
   wrenches_.sceneStarted(simulation);
+  solids_.sceneStarted(simulation);
   scene_ = std::make_shared<const Scene>(simulation.scene());
 }
 
@@ -69,6 +71,7 @@ void Topics::publish(const Simulation& simulation, const Snapshot& snapshot, con
     publisher_.request(kState);
   }
   if (due(kVessels, vessels_, vessel_news_, true)) takeVessels(simulation, stamp);
+  solids_.publish(simulation, stamp, settled);
   if (wrenches_.publish(simulation, stamp, wrench_news_.any, wrench_news_.last)) wrench_news_ = {};
 }
 

@@ -1,5 +1,5 @@
-// The topics that follow the simulation: particles, springs, colliders, state, vessels and
-// wrenches.
+// The topics that follow the simulation: particles, springs, colliders, state, vessels, wrenches
+// and floating solids.
 #pragma once
 
 #include <sensor_msgs/PointCloud2.h>
@@ -13,6 +13,7 @@
 #include "publisher_thread.h"
 #include "rated_topic.h"
 #include "simulation_thread.h"
+#include "solid_topics.h"
 #include "wrench_topics.h"
 
 namespace ice_ice_baby {
@@ -77,7 +78,8 @@ class Topics {
   RatedTopic colliders_;
   RatedTopic state_;
   RatedTopic vessels_;
-  WrenchTopics wrenches_;  ///< simulation's thread
+  WrenchTopics wrenches_;  ///< simulation's thread, like the next one
+  SolidTopics solids_;
 
   // Simulation's thread.
   News particle_news_, spring_news_, collider_news_, state_news_, vessel_news_, wrench_news_;

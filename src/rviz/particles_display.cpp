@@ -26,7 +26,8 @@ ParticlesDisplay::ParticlesDisplay()
                                       SLOT(restyle()))),
       alphas_{makeAlpha("Water Alpha", 0.6F, "Opacity of water.", this),
               makeAlpha("Ice Alpha", 1.0F, "Opacity of ice.", this),
-              makeAlpha("Steam Alpha", 0.12F, "Opacity of steam.", this)} {
+              makeAlpha("Steam Alpha", 0.12F, "Opacity of steam.", this),
+              makeAlpha("Solid Alpha", 1.0F, "Opacity of floating solids.", this)} {
   size_m_->setMin(0.0001F);
 }
 

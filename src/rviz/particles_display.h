@@ -7,6 +7,7 @@
 #endif
 
 #include <array>
+#include <iterator>
 #include <memory>
 
 #include "phase_points.h"
@@ -36,8 +37,8 @@ class ParticlesDisplay : public rviz::MessageFilterDisplay<sensor_msgs::PointClo
   void processMessage(const sensor_msgs::PointCloud2::ConstPtr& message) override;
 
   rviz::FloatProperty* size_m_;
-  std::array<rviz::FloatProperty*, 3> alphas_;               ///< by indexOf(Phase)
-  std::array<std::unique_ptr<rviz::PointCloud>, 3> clouds_;  ///< by indexOf(Phase)
+  std::array<rviz::FloatProperty*, std::size(kPhases)> alphas_;               ///< by indexOf(Phase)
+  std::array<std::unique_ptr<rviz::PointCloud>, std::size(kPhases)> clouds_;  ///< by indexOf(Phase)
   PhasePoints points_;
 };
 

@@ -65,7 +65,7 @@ class CloudReader {
       if (indexOf(phase) == number) return phase;
     }
     throw std::invalid_argument("The cloud holds phase " + std::to_string(number) +
-                                "; known are 0 (water), 1 (ice) and 2 (steam)");
+                                "; known are 0 (water), 1 (ice), 2 (steam) and 3 (solid)");
   }
 
   rviz::PointCloud::Point point(std::size_t k) const {

@@ -5,6 +5,7 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <array>
+#include <iterator>
 #include <vector>
 
 #include "ice_ice_baby/samples.h"
@@ -14,7 +15,7 @@ namespace ice_ice_baby {
 constexpr std::size_t indexOf(Phase phase) { return static_cast<std::size_t>(phase); }
 
 struct PhasePoints {
-  std::array<std::vector<rviz::PointCloud::Point>, 3> of;  ///< by indexOf(Phase)
+  std::array<std::vector<rviz::PointCloud::Point>, std::size(kPhases)> of;  ///< by indexOf(Phase)
   float freezing = 0.0F;   ///< ice fraction of all water, where it has one in common; otherwise 0
   bool has_phases = true;  ///< whether the cloud tells the phase; without it all of it is water
 };

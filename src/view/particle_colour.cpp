@@ -50,7 +50,10 @@ std::uint32_t particleColour(float ice_fraction) {
   return packed(mixed(kWater, kIceColour, ice_fraction));
 }
 
+std::uint32_t solidColour() { return packed(kSolidColour); }
+
 std::uint32_t heatColour(const ParticleSample& sample) {
+  if (sample.phase == Phase::kSolid) return solidColour();
   if (sample.phase == Phase::kSteam) return packed(kSteamColour);
   return packed(mixed(waterColour(sample.temperature_c), kIceColour, whiteness(sample)));
 }

@@ -14,6 +14,7 @@ struct Colour {
 
 constexpr Colour kIceColour{0.90f, 0.96f, 1.0f};
 constexpr Colour kSteamColour{0.86f, 0.87f, 0.89f};
+constexpr Colour kSolidColour{0.80f, 0.52f, 0.28f};
 
 /// @param share of `b`, held within [0, 1]
 Colour mixed(Colour a, Colour b, float share);
@@ -29,8 +30,11 @@ float whiteness(const ParticleSample& sample);
 /// Packed as 0x00RRGGBB.
 std::uint32_t particleColour(float ice_fraction);
 
+/// Of floating solids, packed as 0x00RRGGBB.
+std::uint32_t solidColour();
+
 /// With heat: water by its temperature, ice nearly white, both mixed by `whiteness`, steam light
-/// grey. Packed as 0x00RRGGBB.
+/// grey, floating solids brown. Packed as 0x00RRGGBB.
 std::uint32_t heatColour(const ParticleSample& sample);
 
 }  // namespace ice_ice_baby

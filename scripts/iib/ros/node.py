@@ -11,6 +11,7 @@ from std_srvs.srv import Trigger
 
 try:
     from ice_ice_baby.srv import (
+        Attach,
         HeatRegion,
         GetState,
         Load,
@@ -27,6 +28,7 @@ except ModuleNotFoundError:
     sys.exit("no messages of ice_ice_baby; run scripts/build, then source build/devel/setup.bash")
 
 TYPES = {
+    "attach": Attach,
     "get_state": GetState,
     "heat_region": HeatRegion,
     "load": Load,

@@ -29,12 +29,27 @@ bool isPlacement(const Placement& placement) {
 
 }  // namespace
 
+/// Mass and inertia of a body of ice.
+template <class Real>
+SolidMass IceBodies<Real>::massOfMembers(const IceBody& body) const {
+  SolidMass mass;
+  const auto count = static_cast<Index>(body.count());
+  mass.mass_kg = particle_kg_ * double(count);
+  mass.inertia = double(count) * ownInertia(count) * Mat3<double>::Identity();
+  for (Index m = body.first; m < body.last; ++m) {
+    const Vec3d& arm = offset_[m];
+    mass.inertia +=
+        particle_kg_ * (arm.squaredNorm() * Mat3<double>::Identity() - arm * arm.transpose());
+  }
+  return mass;
+}
+
 template <class Real>
 void IceBodies<Real>::restoreBody(const IceBody& body, const Particles<Real>& particles) const {
-  const bool placed = isPlacement(body.pose) && isPlacement(body.next) && isPlacement(body.hold);
+  requireValid(belowOrNone(body.solid, solids_.size()), "body of an unknown solid");
+  const bool placed = isPlacement(body.pose) && isPlacement(body.next) && isPlacement(body.hold) &&
+                      isPlacement(body.grip);
   requireValid(placed, "ice body pose out of range");
-  Mat3<double> inertia =
-      double(body.count()) * ownInertia(body.last - body.first) * Mat3<double>::Identity();
   double radius_m = 0.0;
   for (Index m = body.first; m < body.last; ++m) {
     const Vec3d& arm = offset_[m];
@@ -43,21 +58,20 @@ void IceBodies<Real>::restoreBody(const IceBody& body, const Particles<Real>& pa
     requireValid(arm.norm() <= kMaxStoredCoordinate_m && (body.pose.at(arm) - x).norm() <= room_m &&
                      (body.next.at(arm) - x).norm() <= room_m && outward_[m].norm() <= 1.01,
                  "ice body far from its members");
-    inertia +=
-        particle_kg_ * (arm.squaredNorm() * Mat3<double>::Identity() - arm * arm.transpose());
     radius_m = std::max(radius_m, arm.norm());
   }
-  const double mass_kg = particle_kg_ * double(body.count());
+  const SolidMass mass = body.solid == kNone ? massOfMembers(body) : solids_[body.solid];
   const Mat3<double>& rotation_matrix = body.next.rotation_matrix;
   requireValid(
-      std::abs(body.mass_kg - mass_kg) <= kRounding * mass_kg &&
+      std::abs(body.mass_kg - mass.mass_kg) <= kRounding * mass.mass_kg &&
+          std::abs(body.mass_particles * particle_kg_ - mass.mass_kg) <= kRounding * mass.mass_kg &&
           std::abs(body.radius_m - radius_m) <= kRounding * radius_m_ &&
-          near(body.inertia, inertia) &&
+          near(body.inertia, mass.inertia) &&
           near(body.inertia * body.mobility, Mat3<double>::Identity()) &&
           near(body.mobility_now, rotation_matrix * body.mobility * rotation_matrix.transpose()),
       "ice body with an inertia that its members do not have");
   requireValid(body.fastest_m_s() <= kFastest_m_s && within(body.speed_m_s, 0, kFastest_m_s) &&
-                   body.still_s >= 0.0,
+                   body.still_s >= 0.0 && within(body.grip_s, 0.0, 1.0),
                "ice body speed out of range");
 }
 
@@ -76,6 +90,9 @@ void IceBodies<Real>::restore(const Particles<Real>& particles, const Colliders<
                  "ice body anchored to an unknown collider");
     requireValid(belowOrNone(body.island, bodies_.size()), "ice body in an unknown group");
     restoreBody(body, particles);
+    requireValid(body.solid == kNone ||
+                     bodyOfSolid(body.solid) == static_cast<Index>(&body - bodies_.data()),
+                 "two bodies of one solid");
     body_of_.resize(body.last, static_cast<Index>(&body - bodies_.data()));
   }
   requireValid(body_of_.size() == members, "members of an unknown ice body");

@@ -18,6 +18,9 @@ constexpr double kLongestWait_s = 1.0;
 
 constexpr double kLongestRamp_s = 1e6;
 
+/// Volume of a particle of a solid relative to one of water, at most.
+constexpr double kLargestPart = 8.0;
+
 bool isTemperature(double celsius) {
   return within(celsius, kTemperatureRange_c.min, kTemperatureRange_c.max);
 }
@@ -174,11 +177,12 @@ void Phases<Real>::restore(std::size_t particles, std::size_t colliders) {
   ice_count_ = steam_count_ = 0;
   for (auto* flags : {&steam_, &flows_, &new_ice_}) flags->assign(particles, 0);
   for (std::size_t i = 0; i < particles; ++i) {
-    requireValid(phase_[i] <= Phase::kSteam, "unknown phase");
+    requireValid(phase_[i] <= Phase::kSolid, "unknown phase");
     requireValid(belowOrNone(stuck_to_[i], colliders), "ice frozen to an unknown collider");
     // Except for steam, densities differ from that of water by a factor of two at most.
-    requireValid(within(double(relative_volume_[i]), 0.0, 2.0) &&
-                     within(double(target_volume_[i]), 0.0, 2.0) &&
+    const double largest = solid(i) ? kLargestPart : 2.0;
+    requireValid(within(double(relative_volume_[i]), 0.0, largest) &&
+                     within(double(target_volume_[i]), 0.0, largest) &&
                      within(double(slush_[i]), 0.0, 1.0),
                  "relative volume out of range");
     ice_count_ += phase_[i] == Phase::kIce;
@@ -190,10 +194,11 @@ void Phases<Real>::restore(std::size_t particles, std::size_t colliders) {
 
 template <class Real>
 void PhaseChange<Real>::restore(const Particles<Real>& particles) {
-  heat_.restore(particles.size(), scene_);
+  if (heat_) heat_->restore(particles.size(), scene_);
   phases_.restore(particles.size(), colliders_.count());
   updateSteam();
-  requireValid(bodies_.has_value() == contacts_.has_value() && (rigid() || !bodies_),
+  const bool any = rigid() || !scene_.solids.empty();
+  requireValid(bodies_.has_value() == contacts_.has_value() && (any || !bodies_),
                "ice bodies in a scene without rigid ice");
   requireValid(
       within(heat_due_s_, 0.0, kLongestWait_s) && within(phases_due_s_, 0.0, kLongestWait_s),

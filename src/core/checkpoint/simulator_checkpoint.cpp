@@ -10,7 +10,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Written in place of PhaseChange if the scene is not thermal.
+/// Written in place of PhaseChange if the scene has neither heat nor solids.
 struct NoPhaseChange {
   bool bodies = false, contacts = false;
   double heat_due_s = 0.0, phases_due_s = 0.0;

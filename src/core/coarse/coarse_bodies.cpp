@@ -26,7 +26,7 @@ void CoarseBodies<Real>::assemble(const IceBodies<Real>* bodies, const Particles
       addMember(grids.gridOf(i), sorted, place[i], grids.lowestNodeOf(i), arm / cell, row_of);
     }
     for (std::size_t p = first; p < pushes_.size(); ++p) push_of_[pushes_[p].row] = kNone;
-    bodies_.push_back({first, pushes_.size(), 1.0 / double(body.count()),
+    bodies_.push_back({first, pushes_.size(), 1.0 / body.mass_particles,
                        body.mobility_now * (particle_kg * cell * cell)});
   }
 }

@@ -35,7 +35,7 @@ class CoarseBodies {
   };
   struct Body {
     std::size_t first, last;        ///< pushes
-    double mobility;                ///< 1 / number of members
+    double mobility;                ///< 1 / mass in particles of water
     Mat3<double> angular_mobility;  ///< inverse of the moment of inertia, world axes
   };
   void addMember(const CoarseGrid<Real>& grid, const CellParticles<Real>& sorted, std::size_t k,

@@ -28,4 +28,13 @@ void forEachColliderMesh(const Scene& scene, const MeshDetail& detail,
   });
 }
 
+void forEachSolidMesh(const Scene& scene, const MeshDetail& detail,
+                      const std::function<void(const Solid&, const ColliderMesh&)>& visit) {
+  for (const Solid& solid : scene.solids) {
+    visitShape(solid, [&](const auto& shape) {
+      visit(solid, makeShape<double>(shape, 0.0).mesh(detail));
+    });
+  }
+}
+
 }  // namespace ice_ice_baby

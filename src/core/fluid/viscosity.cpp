@@ -43,9 +43,8 @@ void Viscosity<Real>::packMixture(const Particles<Real>& particles, Real share, 
   const Real rise = std::max(Real(0), std::min(kSlushShare, max) - share);
   grip_.resize(particles.size());
   parallelFor(particles.size(), [&](std::size_t i) {
-    const bool rigid = phases_->ice(i) && !phases_->flows()[i];
     const Real own = phases_->steam(i) ? Real(0) : share + rise * phases_->slush()[i];
-    grip_[i] = rigid ? static_cast<Real>(kRigidGrip) : own;
+    grip_[i] = phases_->rigid(i) ? static_cast<Real>(kRigidGrip) : own;
   });
   velocities_.pack(particles.velocity, grip_);
 }

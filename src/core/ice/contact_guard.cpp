@@ -115,7 +115,7 @@ void IceContacts<Real>::expel(IceBodies<Real>& bodies, const Colliders<Real>& co
   faces_.take(colliders);
   for (Index b = 0; b < bodies.count(); ++b) {
     IceBody& body = bodies.body(b);
-    if (body.anchor != kNone) continue;
+    if (body.carried()) continue;
     for (int pass = 0; pass < kMaxPushes; ++pass) {
       const Vec3d push = longestPush(bodies, b);
       if (push.norm() < kTouch_d * spacing_m_) break;

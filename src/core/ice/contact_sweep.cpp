@@ -74,7 +74,7 @@ template <class Real>
 void IceContacts<Real>::sweepPair(IceBodies<Real>& bodies, Index ka, Index kb) {
   const IceBody& a = bodies.body(ka);
   const IceBody& b = bodies.body(kb);
-  if (a.anchor != kNone && b.anchor != kNone) return;
+  if (a.carried() && b.carried()) return;
   const Vec3d before = a.pose.centre_m - b.pose.centre_m, after = a.next.centre_m - b.next.centre_m;
   const double reach = a.radius_m + b.radius_m + contact_m_;
   const double nearest = before.norm() <= reach ? 0.0 : meets(before, after, reach);
@@ -156,7 +156,7 @@ void IceContacts<Real>::boundEnergy(const IceBodies<Real>& bodies) {
   };
   const auto moves = [&](const Contact& contact) {
     if (contact.b == kNone) return faces_.moves(contact.collider);
-    return bodies.body(contact.a).anchor != kNone || bodies.body(contact.b).anchor != kNone;
+    return bodies.body(contact.a).carried() || bodies.body(contact.b).carried();
   };
   std::vector<char> bound(bodies.count(), 0);
   for (const Contact& contact : pairs_) {

@@ -10,9 +10,6 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Largest rotation per substep, beyond which straight paths of members are meaningless.
-constexpr double kMaxRotation_rad = 1.0;
-
 /// How long a body must have been slow before it sleeps.
 constexpr double kStill_s = 0.5;
 
@@ -27,7 +24,9 @@ IceBodies<Real>::IceBodies(const Scene& scene)
     : particle_kg_(particleMass_kg(scene.fluid, scene.supportRadius_m())),
       radius_m_(scene.fluid.spacing_m / 2),
       sleep_speed_m_s_(scene.ice.sleep_speed_m_s),
-      max_speed_m_s_(scene.solver.max_speed_m_s) {}
+      max_speed_m_s_(scene.solver.max_speed_m_s) {
+  for (const Solid& solid : scene.solids) solids_.push_back(massOf(solid));
+}
 
 template <class Real>
 void IceBodies<Real>::reorder(const std::vector<Index>& order) {
@@ -83,10 +82,10 @@ Placement IceBodies<Real>::held(const IceBody& body, const Colliders<Real>& coll
   return {carrier.at(body.hold.centre_m), carrier.rotation * body.hold.rotation};
 }
 
-/// Moves a body with the collider that carries it.
+/// Moves a body with what carries it.
 template <class Real>
-void IceBodies<Real>::follow(IceBody& body, const Colliders<Real>& colliders) const {
-  body.moveTo(held(body, colliders));
+void IceBodies<Real>::follow(IceBody& body, const Placement& to) const {
+  body.moveTo(to);
   body.velocity_m_s = (body.next.centre_m - body.pose.centre_m) / dt_s_;
   const Eigen::AngleAxisd rotation(body.next.rotation * body.pose.rotation.conjugate());
   const Vec3d angular_velocity = rotation.axis() * (rotation.angle() / dt_s_);
@@ -109,8 +108,10 @@ void IceBodies<Real>::predict(Particles<Real>& particles, const Colliders<Real>&
   gravity_m_s2_ = gravity_m_s2;
   parallelFor(bodies_.size(), [&](std::size_t b) {
     IceBody& body = bodies_[b];
-    if (body.anchor != kNone) {
-      follow(body, colliders);
+    if (body.gripped) {
+      follow(body, gripped(body));
+    } else if (body.anchor != kNone) {
+      follow(body, held(body, colliders));
     } else if (body.asleep) {
       body.moveTo(body.pose);
     } else {
@@ -164,7 +165,7 @@ void IceBodies<Real>::conform(VectorField<Real>& predicted) {
       moment.torque += moments_[c].torque;
     }
     if (body.held() || (moment.sum.isZero(0) && moment.torque.isZero(0))) continue;
-    body.push(moment.sum / double(body.count()), body.mobility_now * (particle_kg_ * moment.torque),
+    body.push(moment.sum / body.mass_particles, body.mobility_now * (particle_kg_ * moment.torque),
               dt_s_);
   }
   writePredicted(predicted);
@@ -205,7 +206,7 @@ void IceBodies<Real>::takeVelocities(Particles<Real>& particles) {
   for (std::size_t c = 0; c < chunks_.size(); ++c) {
     IceBody& body = bodies_[chunks_[c].body];
     if (body.held()) continue;
-    body.velocity_m_s += moments_[c].sum / double(body.count());
+    body.velocity_m_s += moments_[c].sum / body.mass_particles;
     body.angular_momentum += particle_kg_ * moments_[c].torque;
   }
   forEachChunk([&](Index, const Chunk& chunk) {
@@ -266,7 +267,7 @@ void IceBodies<Real>::updateSleep(const std::vector<std::uint8_t>& wet, double t
   islands_.assign(bodies_.size(), {kStill_s, false});
   parallelFor(bodies_.size(), [&](std::size_t b) {
     IceBody& body = bodies_[b];
-    if (body.anchor != kNone) return;
+    if (body.carried()) return;
     const bool calm = body.asleep || body.speed_m_s < sleep_speed_m_s_;
     body.still_s = calm && !isWet(body, wet) ? body.still_s + time_s : 0.0;
     if (body.still_s == 0.0) body.asleep = false;
@@ -297,6 +298,11 @@ void IceBodies<Real>::wakeAll() {
 }
 
 template <class Real>
+void IceBodies<Real>::stopAll() {
+  for (IceBody& body : bodies_) body.stop();
+}
+
+template <class Real>
 void IceBodies<Real>::wakeInFlight(Index b) {
   bodies_[b].asleep = false;
   bodies_[b].still_s = 0.0;
@@ -304,9 +310,10 @@ void IceBodies<Real>::wakeInFlight(Index b) {
 }
 
 template <class Real>
-std::size_t IceBodies<Real>::asleep() const {
-  return static_cast<std::size_t>(std::count_if(bodies_.begin(), bodies_.end(),
-                                                [](const IceBody& body) { return body.asleep; }));
+std::size_t IceBodies<Real>::asleep(bool solid) const {
+  return static_cast<std::size_t>(std::count_if(
+      bodies_.begin(), bodies_.end(),
+      [&](const IceBody& body) { return body.asleep && (body.solid != kNone) == solid; }));
 }
 
 template class IceBodies<float>;

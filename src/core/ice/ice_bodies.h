@@ -1,4 +1,5 @@
-// Rigid bodies of ice: which particles belong to a body, and how a body moves.
+// Rigid bodies, of ice and floating solids: which particles belong to a body, and how a body moves.
+// The members of a solid never change.
 //
 // A substep calls
 //   predict -> IceContacts::find -> n x (conform, IceContacts::solve) -> IceContacts::contain ->
@@ -14,10 +15,15 @@
 
 #include "colliders/colliders.h"
 #include "ice/ice_body.h"
+#include "ice_ice_baby/solid_state.h"
 #include "particles/neighbours.h"
 #include "particles/particles.h"
+#include "solids/solid_mass.h"
 
 namespace ice_ice_baby {
+
+/// Largest rotation per substep, beyond which straight paths of members are meaningless.
+constexpr double kMaxRotation_rad = 1.0;
 
 template <class Real>
 class IceBodies {
@@ -34,6 +40,31 @@ class IceBodies {
   /// @return whether anything changed; members are then renumbered and new bodies have no anchor
   bool assign(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
               const std::vector<Index>& label);
+
+  /// Turns a body that assign has just made into a solid of the scene, with the mass, centre of
+  /// mass and inertia of its shape, at its place and with its velocity. Call it between two
+  /// substeps.
+  /// @param solid its number in the scene
+  /// @param point_m (n) by particle, in the frame of the solid
+  void makeSolid(Index body, Index solid, const Solid& params, const std::vector<Vec3d>& point_m);
+
+  /// Sets the labels of the particles of solids, for assign, so that these bodies stay.
+  void labelSolids(std::vector<Index>& label) const;
+
+  /// A solid goes as a whole: clears the marks of solids of which some particles stay.
+  /// @param gone (n) whether a particle is about to be removed
+  void keepWhole(std::vector<char>& gone) const;
+
+  /// Body of a solid of the scene, or kNone if it has left the scene.
+  Index bodyOfSolid(Index solid) const;
+  /// Moves a solid to the pose of its frame within `time_s`, whatever touches it, and keeps it
+  /// there.
+  void grip(Index body, const Posed& pose, double time_s);
+  /// Lets it go with the velocity that it has.
+  void letGo(Index body) { bodies_[body].gripped = false; }
+
+  /// Pose and motion of the frame of a solid. @param body that of a solid
+  SolidState solidState(Index body) const;
 
   /// Follows a sort of the particles: place k now holds what was at order[k]. What is not in it is
   /// no member of a body.
@@ -72,11 +103,24 @@ class IceBodies {
   /// @param time_s time since the latest call
   void updateSleep(const std::vector<std::uint8_t>& wet, double time_s);
   void wakeAll();
+  /// Takes all momenta off.
+  void stopAll();
   /// Wakes a body after predict; it takes part in the present substep.
   void wakeInFlight(Index body);
 
+  /// Calls visit(body) for every solid.
+  template <class Visit>
+  void forEachSolid(const Visit& visit) const {
+    for (const IceBody& body : bodies_) {
+      if (body.solid != kNone) visit(body);
+    }
+  }
+
   std::size_t count() const { return bodies_.size(); }
-  std::size_t asleep() const;
+  /// Number of bodies that are solids.
+  std::size_t solids() const;
+  /// Number of bodies that sleep. @param solid whether to count solids, or ice
+  std::size_t asleep(bool solid = false) const;
   const IceBody& body(Index b) const { return bodies_[b]; }
   IceBody& body(Index b) { return bodies_[b]; }
   /// Body of particle i, or kNone.
@@ -147,6 +191,7 @@ class IceBodies {
 
   double ownInertia(Index count) const;
   void restoreBody(const IceBody& body, const Particles<Real>& particles) const;
+  SolidMass massOfMembers(const IceBody& body) const;
   bool isWet(const IceBody& body, const std::vector<std::uint8_t>& wet) const;
   bool gatherGroups(const std::vector<Index>& label);
   void putAside();
@@ -162,7 +207,8 @@ class IceBodies {
   void makeChunks();
 
   Placement held(const IceBody& body, const Colliders<Real>& colliders) const;
-  void follow(IceBody& body, const Colliders<Real>& colliders) const;
+  Placement gripped(IceBody& body) const;
+  void follow(IceBody& body, const Placement& to) const;
   void fly(IceBody& body);
   void limit(IceBody& body);
   template <class Visit>
@@ -170,6 +216,7 @@ class IceBodies {
   template <class Difference>
   void sumMoments(const Difference& difference);
 
+  std::vector<SolidMass> solids_;  ///< of the scene
   double particle_kg_;
   double radius_m_;  ///< of a particle
   double sleep_speed_m_s_;

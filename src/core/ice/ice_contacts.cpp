@@ -30,9 +30,22 @@ constexpr double kCoincident_d = 1e-6;
 template <class Real>
 IceContacts<Real>::IceContacts(const Scene& scene)
     : spacing_m_(scene.fluid.spacing_m),
-      contact_m_(scene.fluid.spacing_m / std::cbrt(scene.ice.density_ratio)),
+      contact_m_(scene.thermal.enabled || scene.solids.empty()
+                     ? scene.fluid.spacing_m / std::cbrt(scene.ice.density_ratio)
+                     : scene.fluid.spacing_m),
       friction_(scene.ice.friction),
-      margin_m_(kMargin_d * spacing_m_) {}
+      margin_m_(kMargin_d * spacing_m_) {
+  for (const Solid& solid : scene.solids) solid_friction_.push_back(solid.friction);
+}
+
+/// Of two solids the mean counts, of a solid and ice that of the solid.
+template <class Real>
+double IceContacts<Real>::frictionBetween(const IceBody& a, const IceBody& b) const {
+  if (a.solid == kNone && b.solid == kNone) return friction_;
+  if (a.solid == kNone) return solid_friction_[b.solid];
+  if (b.solid == kNone) return solid_friction_[a.solid];
+  return (solid_friction_[a.solid] + solid_friction_[b.solid]) / 2;
+}
 
 template <class Real>
 void IceContacts<Real>::find(IceBodies<Real>& bodies, const VectorField<Real>& predicted,
@@ -126,6 +139,7 @@ void IceContacts<Real>::findWalls(const IceBodies<Real>& bodies) {
       }
     }
     if (near_.empty()) continue;
+    const bool solid = body.solid != kNone;
     for (Index m = body.first; m < body.surface_last; ++m) {
       const Vec3d from = body.pose.at(bodies.offset(m)), to = body.next.at(bodies.offset(m));
       for (const Index k : near_) {
@@ -133,7 +147,8 @@ void IceContacts<Real>::findWalls(const IceBodies<Real>& bodies) {
         for (std::size_t f = 0; f < count; ++f) {
           const std::uint64_t key = (std::uint64_t(m) << 32) | (k * 8 + faces[f].number);
           walls_.push_back({key, b, kNone, m, kNone, k, faces[f].normal, faces[f].point,
-                            faces[f].gap_m, faces[f].before_m, faces_.friction(k)});
+                            faces[f].gap_m, faces[f].before_m,
+                            solid ? solid_friction_[body.solid] : faces_.friction(k)});
         }
       }
     }
@@ -235,7 +250,8 @@ void IceContacts<Real>::addPair(const IceBodies<Real>& bodies, const Candidate& 
   if (normal.isZero(0)) return;
   const std::uint64_t key = (std::uint64_t(candidate.a) << 32) | candidate.b;
   pairs_.push_back({key, ka, kb, candidate.a, candidate.b, kNone, normal, Vec3d::Zero(),
-                    normal.dot(now) - contact_m_, normal.dot(before) - contact_m_, friction_});
+                    normal.dot(now) - contact_m_, normal.dot(before) - contact_m_,
+                    frictionBetween(a, b)});
 }
 
 /// Copies the multipliers of contacts that existed in the latest substep. Both lists are ascending.
@@ -278,8 +294,8 @@ std::size_t IceContacts<Real>::bytes() const {
          moves_.capacity() * sizeof(Move) + found_.capacity() * sizeof(Placement) +
          candidates_.capacity() * sizeof(Candidate) +
          (near_.capacity() + carrier_.capacity()) * sizeof(Index) + out_.capacity() +
-         stays_.capacity() + face_.capacity() * sizeof(std::size_t) +
-         plane_.capacity() * sizeof(Vec3d);
+         stays_.capacity() + solid_friction_.capacity() * sizeof(double) +
+         face_.capacity() * sizeof(std::size_t) + plane_.capacity() * sizeof(Vec3d);
 }
 
 template class IceContacts<float>;

@@ -1,6 +1,7 @@
-// Contacts of ice bodies with colliders and with each other: non-penetration and Coulomb
-// friction by projected Gauss-Seidel on positions (XPBD without compliance, Mueller et al. 2020,
-// "Detailed rigid body simulation with extended position based dynamics"), no restitution.
+// Contacts of ice bodies and floating solids with colliders and with each other: non-penetration
+// and Coulomb friction by projected Gauss-Seidel on positions (XPBD without compliance, Mueller et
+// al. 2020, "Detailed rigid body simulation with extended position based dynamics"), no
+// restitution.
 #pragma once
 
 #include <cstdint>
@@ -125,6 +126,7 @@ class IceContacts {
     return k < walls_.size() ? walls_[k] : pairs_[k - walls_.size()];
   }
 
+  double frictionBetween(const IceBody& a, const IceBody& b) const;
   void findWalls(const IceBodies<Real>& bodies);
   void wakeByColliders(IceBodies<Real>& bodies);
   void wakeByBodies(IceBodies<Real>& bodies);
@@ -159,9 +161,10 @@ class IceContacts {
   void putBack(IceBodies<Real>& bodies, Index b);
 
   double spacing_m_;
-  double contact_m_;  ///< contact distance between members of two bodies
-  double friction_;   ///< of ice on ice
-  double margin_m_;   ///< pairs closer than this count as contacts before they touch
+  double contact_m_;                    ///< contact distance between members of two bodies
+  double friction_;                     ///< of ice on ice
+  std::vector<double> solid_friction_;  ///< of the solids of the scene
+  double margin_m_;  ///< pairs closer than this count as contacts before they touch
   ColliderFaces faces_;
   std::vector<Contact> walls_, pairs_;
   std::vector<Contact> old_walls_, old_pairs_;

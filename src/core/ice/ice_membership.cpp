@@ -105,7 +105,8 @@ void IceBodies<Real>::makeBody(const Particles<Real>& particles, Index first, In
   IceBody body;
   body.first = first;
   body.last = last;
-  body.mass_kg = particle_kg_ * double(last - first);
+  body.mass_particles = double(last - first);
+  body.mass_kg = particle_kg_ * body.mass_particles;
   const auto oldBody = [&](Index m) -> const IceBody* {
     const Index was = old_member_at_.empty() ? kNone : old_member_at_[place_[m]];
     return was == kNone ? nullptr : &old_bodies_[old_body_of_[was]];
@@ -301,7 +302,8 @@ std::size_t IceBodies<Real>::bytes() const {
   return (bodies_.capacity() + old_bodies_.capacity()) * sizeof(IceBody) + vectors * sizeof(Vec3d) +
          indices * sizeof(Index) + chunks_.capacity() * sizeof(Chunk) +
          moments_.capacity() * sizeof(Moment) + groups_.capacity() * sizeof(Group) +
-         islands_.capacity() * sizeof(Island) + at_surface_.capacity() + stays_.capacity();
+         solids_.capacity() * sizeof(SolidMass) + islands_.capacity() * sizeof(Island) +
+         at_surface_.capacity() + stays_.capacity();
 }
 
 template class IceBodies<float>;

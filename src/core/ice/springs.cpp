@@ -45,9 +45,10 @@ void Springs<Real>::addSheet(const Particles<Real>& particles, const Neighbours<
 
 template <class Real>
 void Springs<Real>::make(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
-                         Real reach_m) {
+                         const Phases<Real>* phases, Real reach_m) {
   melt();
-  join(particles, neighbours, reach_m, [](Index, Index) { return true; });
+  join(particles, neighbours, reach_m,
+       [&](Index a, Index b) { return !phases || !(phases->solid(a) || phases->solid(b)); });
 }
 
 template <class Real>
@@ -79,8 +80,9 @@ void Springs<Real>::freeze(const Particles<Real>& particles, const Neighbours<Re
 
 template <class Real>
 void Springs<Real>::joinNew(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
-                            Real reach_m, std::uint32_t first_id) {
+                            const Phases<Real>* phases, Real reach_m, std::uint32_t first_id) {
   join(particles, neighbours, reach_m, [&](Index a, Index b) {
+    if (phases && (phases->solid(a) || phases->solid(b))) return false;
     return particles.id[a] >= first_id || particles.id[b] >= first_id;
   });
 }

@@ -48,7 +48,9 @@ class Springs {
 
   /// Joins every particle to its neighbours up to `reach_m` apart. The rest length is the distance
   /// between the positions x_i.
-  void make(const Particles<Real>& particles, const Neighbours<Real>& neighbours, Real reach_m);
+  /// @param phases what belongs to solids, which are not joined; null: nothing does
+  void make(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
+            const Phases<Real>* phases, Real reach_m);
 
   /// Makes the springs rigid from now on, with their present rest lengths.
   void keep() { kept_ = true; }
@@ -64,9 +66,10 @@ class Springs {
               const Phases<Real>& phases, Real reach_m, const std::vector<Spawn>* apart = nullptr);
 
   /// Joins particles that came to springs that are kept, as `make` would have.
+  /// @param phases as for make
   /// @param first_id of those that came
-  void joinNew(const Particles<Real>& particles, const Neighbours<Real>& neighbours, Real reach_m,
-               std::uint32_t first_id);
+  void joinNew(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
+               const Phases<Real>* phases, Real reach_m, std::uint32_t first_id);
 
   /// Removes every spring, those of sheets too, of particles that are about to go.
   /// @param gone (n) whether a particle goes

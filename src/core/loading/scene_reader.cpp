@@ -179,6 +179,7 @@ void nameAll(Scene& scene) {
   nameItems(scene.sources, "source");
   nameItems(scene.drains, "drain");
   nameItems(scene.heat_regions, "heat_region");
+  nameItems(scene.solids, "solid");
 }
 
 void nameGauges(Scene& scene) {

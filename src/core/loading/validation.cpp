@@ -11,6 +11,7 @@
 #include "loading/gauges_check.h"
 #include "loading/heat_regions_check.h"
 #include "loading/item_names.h"
+#include "loading/solids_check.h"
 #include "particles/kernels.h"
 #include "scene/lattice.h"
 #include "spawn/spawn_check.h"
@@ -145,10 +146,10 @@ void requireBlock(const Scene& scene, const Block& block, const std::string& nam
 void requireBlocks(const Scene& scene) {
   const std::int64_t count = particleCount(scene);
   if (static_cast<double>(count) > scene.limits.max_particles) {
-    throw InvalidInput(
-        "the blocks hold " + std::to_string(count) +
-        " particles, more than limits.max_particles = " + numberText(scene.limits.max_particles) +
-        "; enlarge fluid.spacing_m or raise the limit");
+    throw InvalidInput((scene.solids.empty() ? "the blocks hold " : "the blocks and solids hold ") +
+                       std::to_string(count) + " particles, more than limits.max_particles = " +
+                       numberText(scene.limits.max_particles) +
+                       "; enlarge fluid.spacing_m or raise the limit");
   }
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     requireBlock(scene, scene.blocks[k], "blocks." + std::to_string(k));
@@ -173,6 +174,7 @@ void validate(const Scene& scene) {
   requireGauges(scene);
   requireSweeps(scene);
   requireOneGoal(scene);
+  requireSolids(scene);
   requireBlocks(scene);
   requireBounds(scene);
   requireFlow(scene);

@@ -39,9 +39,9 @@ std::vector<Placed> placed(const MeasuredVessels& vessels, const std::vector<Ves
 
 /// A collider that may displace water.
 template <class Real>
-class Solid {
+class Displacer {
  public:
-  Solid(const Shape<Real>& shape, const Posed& pose) : shape_(&shape), pose_(pose) {}
+  Displacer(const Shape<Real>& shape, const Posed& pose) : shape_(&shape), pose_(pose) {}
 
   /// A point that a straight path connects with the last one, away from the surface, is on the same
   /// side of it; that is faster to find out, so ask for points in rows.
@@ -62,9 +62,9 @@ class Solid {
 
 /// Colliders that may reach into a vessel, except the one that it is.
 template <class Real>
-std::vector<Solid<Real>> solidsNear(const MeasuredVessel& vessel, bool gauge, const Vec3d& centre,
-                                    const Colliders<Real>& colliders) {
-  std::vector<Solid<Real>> near;
+std::vector<Displacer<Real>> solidsNear(const MeasuredVessel& vessel, bool gauge,
+                                        const Vec3d& centre, const Colliders<Real>& colliders) {
+  std::vector<Displacer<Real>> near;
   for (std::size_t k = 0; k < colliders.count(); ++k) {
     if (!gauge && k == vessel.collider) continue;
     const Posed pose = colliders.pose(k);
@@ -125,7 +125,7 @@ double MeasuredVessels::level_m(std::size_t number, const Vec3d& up, double volu
   const MeasuredVessel& vessel = all_[number];
   const Posed pose = this->pose(number, colliders);
   const Vec3d centre = pose.toWorld(vessel.space.centre());
-  std::vector<Solid<Real>> solids = solidsNear(vessel, isGauge(number), centre, colliders);
+  std::vector<Displacer<Real>> solids = solidsNear(vessel, isGauge(number), centre, colliders);
   std::vector<VesselNumber> inner;
   if (!isGauge(number)) {
     const auto& all = groups_.front();

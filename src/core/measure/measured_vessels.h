@@ -19,6 +19,7 @@ struct VesselContent {
   std::size_t particles = 0;
   std::size_t steam = 0;
   double water = 0.0, ice = 0.0;  ///< in volumes of a particle of water
+  double floating = 0.0;          ///< what solids displace when they float or lie, in the same
   double celsius = 0.0;
 };
 

@@ -4,8 +4,10 @@ namespace ice_ice_baby {
 
 template <class Real>
 VesselTracker<Real>::VesselTracker(const Scene& scene, const Particles<Real>& particles,
-                                   const Colliders<Real>& colliders, double time_s)
+                                   const Colliders<Real>& colliders, const Spawn& solids,
+                                   double time_s)
     : vessels_(scene),
+      solids_(solids),
       where_(vessels_.groups()),
       inside_(vessels_.size()),
       totals_(vessels_.size()) {
@@ -30,6 +32,9 @@ void VesselTracker<Real>::observe(const Particles<Real>& particles,
                                   const Colliders<Real>& colliders) {
   for (std::size_t group = 0; group < where_.size(); ++group) {
     vessels_.locate(group, particles.position, colliders, now_);
+    for (std::size_t i = 0; solids_.count > 0 && i < now_.size(); ++i) {
+      if (particles.id[i] - solids_.first_id < solids_.count) now_[i] = kNoVessel;
+    }
     compare(group, now_);
     where_[group].swap(now_);
   }

@@ -26,9 +26,10 @@ class VesselTracker {
     double out_1_s = 0.0;
   };
 
-  /// Begins to count. @param time_s now
+  /// Begins to count. @param solids ids of particles of floating solids, which do not count
+  /// @param time_s now
   VesselTracker(const Scene& scene, const Particles<Real>& particles,
-                const Colliders<Real>& colliders, double time_s);
+                const Colliders<Real>& colliders, const Spawn& solids, double time_s);
 
   /// Particles were appended; none of them is in a vessel until the next call of observe.
   void add(std::size_t count);
@@ -57,6 +58,7 @@ class VesselTracker {
   void compare(std::size_t group, const std::vector<VesselNumber>& now);
 
   MeasuredVessels vessels_;
+  Spawn solids_;
   std::vector<std::vector<VesselNumber>> where_;  ///< for each group, (n) at the last call
   std::vector<std::uint64_t> inside_;             ///< (vessels) particles at the last call
   std::vector<Totals> totals_;                    ///< (vessels)

@@ -93,7 +93,7 @@ struct Particles {
 /// @param id (n) unique
 std::vector<Index> placesById(const std::vector<std::uint32_t>& id);
 
-/// Range of ids that one block spawned.
+/// Range of ids that one block or one solid spawned.
 struct Spawn {
   std::uint32_t first_id = 0;
   std::uint32_t count = 0;

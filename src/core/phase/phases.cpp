@@ -32,6 +32,32 @@ Phases<Real>::Phases(const Scene& scene, std::size_t particles)
       stuck_to_(particles, kNone) {}
 
 template <class Real>
+void Phases<Real>::makeSolid(std::size_t first, const std::vector<double>& volumes) {
+  for (std::size_t k = 0; k < volumes.size(); ++k) {
+    phase_[first + k] = Phase::kSolid;
+    relative_volume_[first + k] = target_volume_[first + k] = static_cast<Real>(volumes[k]);
+    flows_[first + k] = 0;
+  }
+}
+
+template <class Real>
+void Phases<Real>::add(std::size_t count) {
+  const std::size_t n = phase_.size() + count;
+  relative_volume_.resize(n, Real(1));
+  target_volume_.resize(n, Real(1));
+  resizeAsWater(n);
+}
+
+template <class Real>
+void Phases<Real>::resizeAsWater(std::size_t n) {
+  phase_.resize(n, Phase::kWater);
+  slush_.resize(n, Real(0));
+  stuck_to_.resize(n, kNone);
+  for (auto* flags : {&steam_, &new_ice_}) flags->resize(n, 0);
+  for (auto* flags : {&flows_, &wet_, &pressed_}) flags->resize(n, 1);
+}
+
+template <class Real>
 void Phases<Real>::add(const EnthalpyCurve& curve, const std::vector<double>& enthalpy_j_kg) {
   for (std::size_t i = phase_.size(); i < enthalpy_j_kg.size(); ++i) {
     const bool steam = curve.steamFraction(enthalpy_j_kg[i]) >= 1.0;
@@ -40,12 +66,7 @@ void Phases<Real>::add(const EnthalpyCurve& curve, const std::vector<double>& en
     relative_volume_.push_back(volume);
     target_volume_.push_back(volume);
   }
-  const std::size_t n = enthalpy_j_kg.size();
-  phase_.resize(n, Phase::kWater);
-  slush_.resize(n, Real(0));
-  stuck_to_.resize(n, kNone);
-  for (auto* flags : {&steam_, &new_ice_}) flags->resize(n, 0);
-  for (auto* flags : {&flows_, &wet_, &pressed_}) flags->resize(n, 1);
+  resizeAsWater(enthalpy_j_kg.size());
 }
 
 /// Water freezes once it has lost all its latent heat, is colder than the hysteresis and has
@@ -68,6 +89,7 @@ bool Phases<Real>::update(const EnthalpyCurve& curve, const std::vector<double>&
   bool changed = false;
   ice_count_ = steam_count_ = 0;
   for (std::size_t i = 0; i < phase_.size(); ++i) {
+    if (solid(i)) continue;
     const Phase now = next(i, curve, enthalpy_j_kg[i]);
     new_ice_[i] = now == Phase::kIce && phase_[i] != Phase::kIce;
     changed |= now != phase_[i];

@@ -1,5 +1,5 @@
-// What each particle is where heat lets particles differ: water, ice or steam, and what the solver
-// has to know of it.
+// What each particle is where particles differ: water, ice or steam, or part of a floating solid,
+// and what the solver has to know of it.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,14 @@ class Phases {
  public:
   /// All particles are water until the first update.
   Phases(const Scene& scene, std::size_t particles);
+
+  /// Makes particles part of a solid, which they stay.
+  /// @param first index of the first of them
+  /// @param volumes relative to a particle of water, of one after the other
+  void makeSolid(std::size_t first, const std::vector<double>& volumes);
+
+  /// Appends particles of water.
+  void add(std::size_t count);
 
   /// Appends the particles that `enthalpy_j_kg` has beyond those known so far. Until the next
   /// update they are water, of the volume that their enthalpy gives them.
@@ -41,6 +49,9 @@ class Phases {
   void reorder(const std::vector<Index>& order);
 
   Phase of(std::size_t i) const { return phase_[i]; }
+  bool solid(std::size_t i) const { return phase_[i] == Phase::kSolid; }
+  /// Whether the particle belongs to a rigid body.
+  bool rigid(std::size_t i) const { return solid(i) || (ice(i) && !elastic_); }
   bool ice(std::size_t i) const { return phase_[i] == Phase::kIce; }
   bool steam(std::size_t i) const { return steam_[i] != 0; }
   /// Whether the particle became ice in the latest update.
@@ -52,7 +63,10 @@ class Phases {
   std::size_t iceCount() const { return ice_count_; }
   std::size_t steamCount() const { return steam_count_; }
 
+  /// (n)
+  const std::vector<Phase>& all() const { return phase_; }
   /// (n) volume relative to water at rest: 1 / ice.density_ratio for ice, 0 for steam.
+  /// Particles of a solid fill its shape.
   const std::vector<Real>& relativeVolume() const { return relative_volume_; }
   /// (n) ice fraction of particles that still flow; 0 for ice and steam.
   const std::vector<Real>& slush() const { return slush_; }
@@ -79,6 +93,7 @@ class Phases {
   void restore(std::size_t particles, std::size_t colliders);
 
  private:
+  void resizeAsWater(std::size_t n);
   Phase next(std::size_t i, const EnthalpyCurve& curve, double enthalpy_j_kg) const;
 
   double freeze_below_c_;

@@ -1,5 +1,5 @@
-// Everything that only thermal scenes have: temperatures of particles, the phases water, ice and
-// steam, and rigid bodies of ice.
+// Everything that only scenes with heat or with floating solids have: the phases of particles and
+// rigid bodies of ice and solids; with heat, temperatures of particles.
 #pragma once
 
 #include <optional>
@@ -30,7 +30,8 @@ class PhaseChange {
   PhaseChange& operator=(const PhaseChange&) = delete;
 
   /// Sets the initial phase and volume of every particle from its temperature.
-  /// @param spawns ice of different spawns is not joined
+  /// Makes the bodies of the solids.
+  /// @param spawns of blocks and solids; ice of different spawns is not joined
   void begin(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
              const std::vector<Spawn>& spawns);
 
@@ -61,12 +62,20 @@ class PhaseChange {
   void advance(const Particles<Real>& particles, const Neighbours<Real>& neighbours, double air_c);
   /// Moves bodies along with colliders that jumped, and out of colliders that they overlap.
   void jump(const std::vector<Jump<Real>>& jumps, Particles<Real>& particles);
+  /// Of floating solids, by their numbers in the scene. As IceBodies::grip and letGo.
+  void grip(Index solid, const Posed& pose);
+  void letGo(Index solid) { bodies_->letGo(bodies_->bodyOfSolid(solid)); }
   void wakeBodies();
+  /// Takes all momenta off the bodies.
+  void stopBodies();
 
   // Particles that come and go, between two frames.
 
-  /// Appends particles of one temperature. Call followParticles once they are sorted.
+  /// Appends particles of water, of one temperature. Call followParticles once they are sorted.
   void add(std::size_t count, double celsius);
+  /// Solids go as a whole: clears the marks of those of which some particles stay.
+  /// @param gone (n) whether a particle is about to be removed
+  void keepWhole(std::vector<char>& gone) const;
   /// Removes particles from their bodies, which keep the momenta of the rest. The springs of these
   /// particles must have been removed before.
   /// @param gone (n) whether a particle is removed
@@ -77,29 +86,31 @@ class PhaseChange {
   void followParticles(const Particles<Real>& particles, const Neighbours<Real>& neighbours);
 
   /// Whether ice is rigid, so that bodies instead of springs keep its shape.
-  bool rigid() const { return scene_.ice.compliance_m_n == 0.0; }
+  bool rigid() const { return heat_ && scene_.ice.compliance_m_n == 0.0; }
   const Phases<Real>& phases() const { return phases_; }
-  ThermalSolver<Real>& heat() { return heat_; }
-  const ThermalSolver<Real>& heat() const { return heat_; }
-  /// Null while there is no rigid ice.
+  /// Null without heat.
+  ThermalSolver<Real>* heat() { return heat_ ? &*heat_ : nullptr; }
+  const ThermalSolver<Real>* heat() const { return heat_ ? &*heat_ : nullptr; }
+  /// Null while there are neither rigid ice nor solids.
   const IceBodies<Real>* bodies() const { return bodies_ ? &*bodies_ : nullptr; }
-  /// Of rigid ice; null while there is none.
+  /// Of those; null while there are none.
   const IceContacts<Real>* contacts() const { return contacts_ ? &*contacts_ : nullptr; }
   /// How often a body was slowed or moved back so far.
   std::uint64_t limited() const { return bodies_ ? bodies_->limited() + contacts_->limited() : 0; }
 
-  /// Sets the numbers of the report that only thermal scenes have.
+  /// Sets the numbers of the report that only these scenes have.
   void addTo(StepReport& report) const;
   StageStats contactsStage() const { return contacts_clock_.stats(contacts_->bytes()); }
   StageStats bodiesStage() const { return bodies_clock_.stats(bodies_->bytes()); }
-  StageStats heatStage() const { return heat_clock_.stats(heat_.bytes()); }
+  StageStats heatStage() const { return heat_clock_.stats(heat_->bytes()); }
   StageStats phasesStage() const;
 
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive) {
     archive.optional(self.bodies_, self.scene_);
     archive.optional(self.contacts_, self.scene_);
-    archive(self.heat_, self.phases_);
+    if (self.heat_) archive(*self.heat_);
+    archive(self.phases_);
   }
   template <class Self, class Archive>
   static void exchangeTimes(Self& self, Archive& archive) {
@@ -109,19 +120,28 @@ class PhaseChange {
   void restore(const Particles<Real>& particles);
 
  private:
+  void makeSolids(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
+                  const std::vector<Spawn>& spawns);
+  void makeBodies();
+  void labelBodies();
+  void advanceHeat(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
+                   double air_c);
+  void reportHeat(StepReport& report) const;
   void updatePhases(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
                     double dt_s, const std::vector<Spawn>* apart = nullptr);
   void updateIce(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
                  const std::vector<Spawn>* apart);
+  void joinIce(const Particles<Real>& particles, const Neighbours<Real>& neighbours,
+               const std::vector<Spawn>* apart);
   void stickToColdWalls(const VectorField<Real>& position);
   void updateSteam();
 
   const Scene& scene_;
   const Colliders<Real>& colliders_;
   std::optional<Springs<Real>>& springs_;
-  ThermalSolver<Real> heat_;
+  std::optional<ThermalSolver<Real>> heat_;  ///< if the scene is thermal
   Phases<Real> phases_;
-  std::optional<IceBodies<Real>> bodies_;      ///< while there is rigid ice
+  std::optional<IceBodies<Real>> bodies_;      ///< while there is rigid ice, or with solids
   std::optional<IceContacts<Real>> contacts_;  ///< of those
   std::optional<Steam<Real>> steam_;           ///< while there is steam
   std::vector<Index> body_labels_;             ///< (n) scratch of updateIce

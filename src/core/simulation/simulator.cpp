@@ -44,10 +44,10 @@ Simulator<Real>::Simulator(const Scene& scene, int threads)
   if (scene.adaptsSubsteps()) scene_.solver.target_error = scene.promisedError();
   scene_.solver.substeps = scene.substeps();
   scene_.solver.relaxation = scene.relaxation();
-  if (scene.thermal.enabled) {
+  if (scene.hasPhases()) {
     phase_change_.emplace(scene_, spawns_, colliders_, springs_);
   }
-  fluid_.emplace(scene, colliders_, phase_change_ ? &phase_change_->phases() : nullptr);
+  fluid_.emplace(scene, colliders_, phases());
   if (!scene.sources.empty()) sources_.emplace(scene);
   if (!scene.drains.empty()) drains_.emplace(scene);
   updateTemperature(0.0);
@@ -116,7 +116,7 @@ void Simulator<Real>::runSubsteps() {
   for (int k = 0; k < substeps; ++k) {
     if (colliders_moving_) colliders_.setSubstep(double(k) / substeps, double(k + 1) / substeps);
     const double dt_s = 1.0 / (scene_.solver.frame_rate_hz * substeps);
-    if (wrench_meter_) wrench_meter_->begin(particles_);
+    if (wrench_meter_) wrench_meter_->begin(particles_, bodies());
     substep(dt_s);
     if (wrench_meter_) endWrenches(dt_s);
     if (sources_) sources_clock_.run([&] { pour(k, substeps); });
@@ -187,7 +187,7 @@ void Simulator<Real>::makeSprings() {
   if (springs_ && springs_->kept()) return;
   if (!springs_) springs_.emplace(scene_.springs);
   const double reach = scene_.springs.reach_h * scene_.supportRadius_m();
-  springs_->make(particles_, neighbours_, static_cast<Real>(reach));
+  springs_->make(particles_, neighbours_, phases(), static_cast<Real>(reach));
   if (frozen() && scene_.springs.keep_frozen) springs_->keep();
 }
 
@@ -196,7 +196,7 @@ void Simulator<Real>::correctSprings(double dt_s, int iteration) {
   if (!springsCorrect()) return;
   correct_springs_clock_.run([&] {
     const bool begins = iteration == 0;
-    if (phase_change_) {
+    if (scene_.thermal.enabled) {
       springs_->correctElastic(particles_.predicted, scene_.ice.compliance_m_n, mass_kg_, dt_s,
                                begins);
     } else {

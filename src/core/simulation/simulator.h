@@ -49,6 +49,9 @@ class Simulator final : public Simulation {
   void moveCollider(const std::string& name, const Posed& pose) override;
   void placeColliders(const std::vector<ColliderPlacement>& placements) override;
   Posed colliderPose(const std::string& name) const override { return colliders_.pose(name); }
+  std::vector<SolidState> solids() const override;
+  void holdSolid(const std::string& name, const Posed& pose) override;
+  void releaseSolid(const std::string& name) override;
   void measureWrenches(bool measure) override;
   std::vector<ColliderWrench> wrenches() const override;
   void sample(std::vector<ParticleSample>& out, std::size_t stride) const override;
@@ -90,7 +93,7 @@ class Simulator final : public Simulation {
   const Particles<Real>& particles() const { return particles_; }
   Particles<Real>& particles() { return particles_; }
   Neighbours<Real>& neighbours() { return neighbours_; }
-  /// Null unless the scene is thermal.
+  /// Null unless the scene has heat or solids.
   const PhaseChange<Real>* phaseChange() const { return phase_change_ ? &*phase_change_ : nullptr; }
 
  private:
@@ -106,7 +109,7 @@ class Simulator final : public Simulation {
   void reorder(const std::vector<Index>& order);
   void separateCoincident();
   void removeSpilled();
-  std::size_t remove(const std::vector<char>& gone);
+  std::size_t remove(std::vector<char> gone);
   double room() const;
   void pour(int substep, int substeps);
   void drain();
@@ -124,6 +127,7 @@ class Simulator final : public Simulation {
   void finishCollisions();
   void updateVelocityAndPosition(Real dt);
   void requirePlacement(const std::string& name, const Posed& pose) const;
+  Index requireSolid(const std::string& name) const;
   void requirePlacements(const std::vector<ColliderPlacement>& placements) const;
   /// What moves farther in a frame jumps, m.
   double farthest_m() const { return scene_.solver.max_speed_m_s / scene_.solver.frame_rate_hz; }
@@ -154,10 +158,24 @@ class Simulator final : public Simulation {
   std::uint32_t spawned() const {
     return spawns_.empty() ? 0 : spawns_.back().first_id + spawns_.back().count;
   }
+  /// Ids of the particles of floating solids.
+  Spawn solidIds() const {
+    if (scene_.solids.empty()) return {};
+    const std::uint32_t first = spawns_[scene_.blocks.size()].first_id;
+    return {first, spawned() - first};
+  }
   bool frozen() const { return strictness_ >= 1.0; }
   const IceBodies<Real>* bodies() const {
     return phase_change_ ? phase_change_->bodies() : nullptr;
   }
+  /// Null unless the scene is thermal.
+  const ThermalSolver<Real>* heat() const {
+    return phase_change_ ? phase_change_->heat() : nullptr;
+  }
+  const Phases<Real>* phases() const { return phase_change_ ? &phase_change_->phases() : nullptr; }
+  /// Whether particle i belongs to a floating solid.
+  bool solidAt(std::size_t i) const { return phase_change_ && phase_change_->phases().solid(i); }
+  Phase phaseAt(std::size_t i) const;
   bool springsCorrect() const { return springs_ && !(phase_change_ && phase_change_->rigid()); }
   bool sticks() const { return frozen() && scene_.springs.stick_to_colliders; }
 
@@ -171,7 +189,7 @@ class Simulator final : public Simulation {
   Neighbours<Real> neighbours_;
   std::optional<Fluid<Real>> fluid_;  ///< always present; constructed after what it refers to
   std::optional<Springs<Real>> springs_;
-  std::optional<PhaseChange<Real>> phase_change_;  ///< with heat
+  std::optional<PhaseChange<Real>> phase_change_;  ///< with heat or solids
   std::optional<WrenchMeter<Real>> wrench_meter_;  ///< while somebody asks for wrenches
 
   std::optional<VesselTracker<Real>> vessel_tracker_;  ///< while flows are counted

@@ -12,6 +12,19 @@ namespace {
 
 bool still(const Vec3d& a, const Vec3d& b) { return (a - b).squaredNorm() == 0.0; }
 
+/// @param what it is the pose of
+void requirePose(const std::string& what, const Posed& pose) {
+  for (int axis = 0; axis < 3; ++axis) {
+    requireInRange("position of " + what, pose.position[axis], kCoordinateRange_m.min,
+                   kCoordinateRange_m.max);
+  }
+  // A reflection is unitary too, but its determinant is -1.
+  const auto& rotation = pose.rotation;
+  if (!rotation.allFinite() || !rotation.isUnitary(1e-6) || rotation.determinant() < 0.0) {
+    throw InvalidInput("rotation of " + what + " must be a unit quaternion");
+  }
+}
+
 void requireHeat(const Scene& scene, const std::string& what) {
   if (scene.thermal.enabled) return;
   throw InvalidInput(what + " needs a scene with thermal.enabled: true, as iceberg; scene " +
@@ -57,7 +70,7 @@ template <class Real>
 void Simulator<Real>::setTemperature(double celsius, double ramp_s, const std::string& target) {
   requireTemperature(celsius, ramp_s);
   requireTarget(scene_, target);
-  if (!target.empty()) return phase_change_->heat().setWall(target, celsius, ramp_s);
+  if (!target.empty()) return phase_change_->heat()->setWall(target, celsius, ramp_s);
   temperature_.set(celsius, ramp_s);
   updateTemperature(report_.time_s);
 }
@@ -65,11 +78,11 @@ void Simulator<Real>::setTemperature(double celsius, double ramp_s, const std::s
 template <class Real>
 void Simulator<Real>::heatRegion(const HeatedRegion& region) {
   requireHeatedRegion(scene_, region);
-  if (phase_change_->heat().regions() >= kMaxHeatedRegions) {
+  if (phase_change_->heat()->regions() >= kMaxHeatedRegions) {
     throw InvalidInput(std::to_string(kMaxHeatedRegions) +
                        " regions are heated or cooled already; wait until one of them ends");
   }
-  phase_change_->heat().addRegion(region);
+  phase_change_->heat()->addRegion(region);
 }
 
 template <class Real>
@@ -138,6 +151,28 @@ template <class Real>
 void Simulator<Real>::requirePlacement(const std::string& name, const Posed& pose) const {
   colliders_.pose(name);  // throws for an unknown name
   requirePose("collider " + name, pose);
+}
+
+/// Number of a solid that is in the scene now.
+template <class Real>
+Index Simulator<Real>::requireSolid(const std::string& name) const {
+  const Index solid = ice_ice_baby::requireSolid(scene_, name);
+  if (bodies()->bodyOfSolid(solid) != kNone) return solid;
+  throw InvalidInput("solid " + name + " has left the bounds of the scene; reset the scene");
+}
+
+template <class Real>
+void Simulator<Real>::holdSolid(const std::string& name, const Posed& pose) {
+  const Index solid = requireSolid(name);
+  requirePose("solid " + name, pose);
+  phase_change_->grip(solid, pose);
+  report_.asleep = false;
+  still_s_ = 0.0;
+}
+
+template <class Real>
+void Simulator<Real>::releaseSolid(const std::string& name) {
+  phase_change_->letGo(requireSolid(name));
 }
 
 template <class Real>
@@ -220,6 +255,15 @@ void requireSource(const Scene& scene, const std::string& name, double flow_l_mi
   const double fastest_l_min = scene.solver.max_speed_m_s * source.area_m2() * kLitresPerMinute;
   requireInRange("flow of source " + name + " in l/min", flow_l_min, 0.0,
                  std::min(fastest_l_min, kFlowRange_l_min.max));
+}
+
+Index requireSolid(const Scene& scene, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Solid& solid : scene.solids) names.push_back(solid.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<Index>(found - names.begin());
+  throw InvalidInput("no solid \"" + shortened(name) + "\"; scene " + scene.name +
+                     (names.empty() ? " has none" : " has: " + joined(names)));
 }
 
 void requireGravity(const Vec3d& gravity_m_s2) {

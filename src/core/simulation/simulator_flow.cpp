@@ -65,11 +65,13 @@ void Simulator<Real>::pushAlong(Index i, const Vec3d& velocity_m_s) {
   particles_.velocity.set(i, pushed_m_s.template cast<Real>());
 }
 
-/// Whether a particle is no part of a solid: of ice, of frozen water or of a sheet.
+/// Whether a particle is no part of anything solid: of ice, of frozen water, of a sheet or of a
+/// floating solid.
 template <class Real>
 bool Simulator<Real>::fluidAt(Index i) const {
-  if (phase_change_) return !phase_change_->phases().ice(i);
-  for (std::size_t k = 0; k < spawns_.size(); ++k) {
+  if (solidAt(i)) return false;
+  if (scene_.thermal.enabled) return !phases()->ice(i);
+  for (std::size_t k = 0; k < scene_.blocks.size(); ++k) {
     if (scene_.blocks[k].sheet && particles_.id[i] - spawns_[k].first_id < spawns_[k].count) {
       return false;
     }

@@ -25,14 +25,14 @@ template <class Real>
 void Simulator<Real>::updateTemperature(double time_s) {
   temperature_.advanceTo(time_s);
   const double before = strictness_;
-  strictness_ = phase_change_ ? 0.0 : temperature_.strictness();
+  strictness_ = scene_.thermal.enabled ? 0.0 : temperature_.strictness();
   if (strictness_ != before) wake();
-  if (!phase_change_ && strictness_ < 1.0 && springs_) {
+  if (!scene_.thermal.enabled && strictness_ < 1.0 && springs_) {
     springs_->melt();
     if (strictness_ == 0.0 && springs_->empty()) springs_.reset();
   }
   report_.temperature_c = temperature_.celsius();
-  if (!phase_change_) report_.strictness = strictness_;
+  if (!scene_.thermal.enabled) report_.strictness = strictness_;
   report_.springs = springs_ ? springs_->size() : 0;
 }
 
@@ -58,6 +58,7 @@ void Simulator<Real>::updateSleep() {
   for (auto* axis : {&particles_.velocity.x, &particles_.velocity.y, &particles_.velocity.z}) {
     std::fill(axis->begin(), axis->end(), Real(0));
   }
+  if (phase_change_) phase_change_->stopBodies();
   updateReport();
 }
 

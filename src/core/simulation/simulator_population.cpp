@@ -84,7 +84,7 @@ void Simulator<Real>::settleNew(std::uint32_t first_id) {
   renewNeighbours();
   if (springs_ && springs_->kept()) {
     const double reach_m = scene_.springs.reach_h * scene_.supportRadius_m();
-    springs_->joinNew(particles_, neighbours_, static_cast<Real>(reach_m), first_id);
+    springs_->joinNew(particles_, neighbours_, phases(), static_cast<Real>(reach_m), first_id);
   }
   followParticles();
 }
@@ -99,10 +99,11 @@ std::size_t Simulator<Real>::removeParticles(
   return remove(gone);
 }
 
-/// @param gone (n) whether a particle is removed
+/// @param gone (n) whether a particle is to be removed; of a solid that counts only if all are
 /// @return number of particles removed
 template <class Real>
-std::size_t Simulator<Real>::remove(const std::vector<char>& gone) {
+std::size_t Simulator<Real>::remove(std::vector<char> gone) {
+  if (phase_change_) phase_change_->keepWhole(gone);
   std::vector<Index> stay;
   for (Index i = 0; i < particles_.size(); ++i) {
     if (!gone[i]) stay.push_back(i);

@@ -1,4 +1,5 @@
 // What the vessels and gauges of the scene hold, and what flows into and out of them.
+#include <algorithm>
 #include <cmath>
 
 #include "simulation/simulator.h"
@@ -10,7 +11,8 @@ void Simulator<Real>::countFlows(bool on) {
   const bool any = !(scene_.containers.empty() && scene_.cups.empty() && scene_.gauges.empty());
   if (!on || !any) return vessel_tracker_.reset();
   if (vessel_tracker_) return;
-  arena_.execute([&] { vessel_tracker_.emplace(scene_, particles_, colliders_, report_.time_s); });
+  arena_.execute(
+      [&] { vessel_tracker_.emplace(scene_, particles_, colliders_, solidIds(), report_.time_s); });
 }
 
 /// Counts who has entered and left each vessel since the last call.
@@ -26,19 +28,23 @@ template <class Real>
 std::vector<VesselContent> Simulator<Real>::vesselContents(const MeasuredVessels& vessels) const {
   std::vector<VesselContent> contents(vessels.size());
   std::vector<VesselNumber> where;
-  const Phase of_scene = frozen() ? Phase::kIce : Phase::kWater;
   for (std::size_t group = 0; group < vessels.groups(); ++group) {
     arena_.execute([&] { vessels.locate(group, particles_.position, colliders_, where); });
     for (std::size_t i = 0; i < particles_.owned(); ++i) {
       if (where[i] == kNoVessel) continue;
       VesselContent& content = contents[where[i]];
-      const Phase phase = phase_change_ ? phase_change_->phases().of(i) : of_scene;
-      const double volume = phase_change_ ? double(phase_change_->phases().relativeVolume()[i]) : 1;
+      const Phase phase = phaseAt(i);
+      const double volume = phases() ? double(phases()->relativeVolume()[i]) : 1;
+      if (phase == Phase::kSolid) {
+        const IceBody& body = bodies()->body(bodies()->bodyOf(Index(i)));
+        content.floating += std::min(volume, body.mass_particles / double(body.count()));
+        continue;
+      }
       ++content.particles;
       content.steam += phase == Phase::kSteam;
       content.water += phase == Phase::kWater ? volume : 0.0;
       content.ice += phase == Phase::kIce ? volume : 0.0;
-      content.celsius += phase_change_ ? phase_change_->heat().temperature(i) : 0.0;
+      content.celsius += heat() ? heat()->temperature(i) : 0.0;
     }
   }
   return contents;
@@ -60,11 +66,12 @@ std::vector<VesselReport> Simulator<Real>::vessels() const {
     report.ice_m3 = content.ice * particle_m3;
     report.level_m = std::numeric_limits<double>::quiet_NaN();
     if (gravity_m_s2 > 0.0) {
-      const double liquid_m3 = double(content.particles - content.steam) * particle_m3;
+      const double liquid_m3 =
+          (double(content.particles - content.steam) + content.floating) * particle_m3;
       const Vec3d up = -scene_.gravity_m_s2 / gravity_m_s2;
       report.level_m = vessels.level_m(k, up, liquid_m3, colliders_);
     }
-    if (phase_change_ && content.particles > 0) {
+    if (heat() && content.particles > 0) {
       report.mean_celsius = content.celsius / double(content.particles);
     }
     if (vessel_tracker_) addFlows(k, particle_m3, report);

@@ -7,7 +7,7 @@ template <class Real>
 void Simulator<Real>::measureWrenches(bool measure) {
   if (!measure) return wrench_meter_.reset();
   if (wrench_meter_) return wrench_meter_->restart();
-  wrench_meter_.emplace(scene_, colliders_, phase_change_ ? &phase_change_->phases() : nullptr);
+  wrench_meter_.emplace(scene_, colliders_, phases());
 }
 
 template <class Real>
@@ -20,7 +20,7 @@ void Simulator<Real>::endWrenches(double dt_s) {
   if (phase_change_) {
     wrench_meter_->addIce(phase_change_->contacts(), bodies(), scene_.gravity_m_s2, dt_s);
   }
-  wrench_meter_->end(particles_, scene_.gravity_m_s2, dt_s);
+  wrench_meter_->end(particles_, bodies(), scene_.gravity_m_s2, dt_s);
 }
 
 template class Simulator<float>;

@@ -7,6 +7,7 @@
 #include "base/point_grid.h"
 #include "flow/outlet.h"
 #include "ice_ice_baby/errors.h"
+#include "solids/solid_words.h"
 #include "spawn/spawn_points.h"
 
 namespace ice_ice_baby {
@@ -19,6 +20,10 @@ constexpr double kOverlap_d = 0.9;
 
 using Box = Eigen::AlignedBox3d;
 
+/// Colliders are grown by this, in spacings, against particles of floating solids: less than half a
+/// spacing, so that a solid may stand on a floor, and so much that none passes through a wall.
+constexpr double kGrown_d = 0.45;
+
 std::string keyOf(std::size_t block) { return "blocks." + std::to_string(block); }
 
 /// "12 of its 64 particles lie"
@@ -27,10 +32,11 @@ std::string shareText(std::size_t some, std::size_t all) {
          (some == 1 ? " particles lies" : " particles lie");
 }
 
-/// Colliders with their names and keys, for particles without size.
+/// Colliders with their names and keys.
 class NamedSolids {
  public:
-  explicit NamedSolids(const Scene& scene) : solids_(scene, 0.0) {
+  /// @param radius_m of the particles; 0: only their centres count
+  NamedSolids(const Scene& scene, double radius_m) : solids_(scene, radius_m) {
     forEachColliderList(scene, [&](const auto& list, const ColliderKind& kind) {
       for (std::size_t k = 0; k < list.size(); ++k) {
         keys_.push_back(std::string(kind.key) + "." + std::to_string(k));
@@ -69,6 +75,23 @@ class NamedSolids {
     if (within == 0) return;
     refuse(key + " (" + shortened(source.name) + ")", std::size_t(within), sites.size(), k,
            "; change " + key + ".position_m or radius_m, or " + keys_[k] + ".position_m");
+  }
+
+  void requireFree(const Scene& scene, const SpawnPoints& points, std::size_t solid,
+                   std::size_t k) const {
+    std::size_t all = 0, within = 0, inside = 0;
+    points.forEachOfSolid(solid, [&](const Vec3d& x) {
+      ++all;
+      within += solids_.reached(k, x);
+      inside += solids_.holds(k, x);
+    });
+    const std::string words = solidWords(scene.solids[solid], solid);
+    const std::string cure = "; change position_m of the solid, or " + keys_[k] + ".position_m";
+    if (within > 0) refuse(words, within, all, k, cure);
+    if (solids_.closed(k) && inside > 0 && inside < all) {
+      throw InvalidInput(words + ": " + shareText(all - inside, all) + " outside the closed " +
+                         words_[k] + " and the others inside it" + cure);
+    }
   }
 
  private:
@@ -111,25 +134,60 @@ std::vector<Box> sharedBounds(const std::vector<Box>& bounds) {
   return shared;
 }
 
-/// Adds blocks one by one, so that cells never contain more points than a single lattice has.
-void requireApart(const Scene& scene, const SpawnPoints& spawn) {
-  double widest_m = scene.fluid.spacing_m;
-  for (const Block& block : scene.blocks) widest_m = std::max(widest_m, scene.spacing_m(block));
+/// What spawns particles: first the blocks, then the floating solids.
+struct Fillings {
+  const Scene& scene;
+  const SpawnPoints& spawn;
+
+  std::size_t count() const { return scene.blocks.size() + scene.solids.size(); }
+  bool water(std::size_t k) const { return k < scene.blocks.size(); }
+  std::size_t solid(std::size_t k) const { return k - scene.blocks.size(); }
+  double spacing_m(std::size_t k) const {
+    return water(k) ? scene.spacing_m(scene.blocks[k]) : scene.fluid.spacing_m;
+  }
+  std::string words(std::size_t k) const {
+    return water(k) ? keyOf(k) : solidWords(scene.solids[solid(k)], solid(k));
+  }
+  template <class Visit>
+  void forEach(std::size_t k, const Visit& visit) const {
+    if (water(k)) return spawn.forEach(k, visit);
+    spawn.forEachOfSolid(solid(k), visit);
+  }
+  Box bounds(std::size_t k) const {
+    if (water(k)) return boxAround(scene.blocks[k]);
+    Box box;
+    forEach(k, [&](const Vec3d& x) { box.extend(x); });
+    return box;
+  }
+  std::string cure(std::size_t k, std::size_t other) const {
+    if (water(k)) return "; change min_m or max_m of one of them";
+    if (!water(other)) return "; change position_m of one of them";
+    return "; change position_m of the solid, or set " + keyOf(other) + ".carve to true";
+  }
+};
+
+/// Adds blocks and solids one by one, so that cells never contain more points than a single lattice
+/// has.
+void requireApart(const Fillings& fillings) {
+  double widest_m = fillings.scene.fluid.spacing_m;
+  for (std::size_t k = 0; k < fillings.count(); ++k) {
+    widest_m = std::max(widest_m, fillings.spacing_m(k));
+  }
   const double edge = kOverlap_d * widest_m;
   std::vector<Box> bounds;
-  for (const Block& block : scene.blocks) {
-    bounds.push_back(boxAround(block));
+  for (std::size_t k = 0; k < fillings.count(); ++k) {
+    bounds.push_back(fillings.bounds(k));
     bounds.back().max().array() += edge / 2;
     bounds.back().min().array() -= edge / 2;
   }
   const std::vector<Box> shared = sharedBounds(bounds);
   PointGrid grid(edge);
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+  for (std::size_t k = 0; k < fillings.count(); ++k) {
     if (shared[k].isEmpty()) continue;
-    const double spacing = scene.spacing_m(scene.blocks[k]);
+    const double spacing = fillings.spacing_m(k);
     std::size_t all = 0, near = 0, other = k;
     std::vector<Vec3d> points;
-    spawn.forEach(k, [&](const Vec3d& x) {
+    fillings.forEach(k, [&](const Vec3d& x) {
       ++all;
       if (!shared[k].contains(x)) return;
       points.push_back(x);
@@ -139,17 +197,27 @@ void requireApart(const Scene& scene, const SpawnPoints& spawn) {
       other = std::min(other, found);
     });
     if (near > 0) {
-      throw InvalidInput(keyOf(k) + " overlaps " + keyOf(other) + ": " + shareText(near, all) +
-                         " within its water; change min_m or max_m of one of them");
+      throw InvalidInput(fillings.words(k) + " overlaps " + fillings.words(other) + ": " +
+                         shareText(near, all) + " within its " +
+                         (fillings.water(other) ? "water" : "material") + fillings.cure(k, other));
     }
     for (const Vec3d& x : points) grid.add(x, k);
+  }
+}
+
+/// Refuses floating solids that reach into a collider, and those that a wall passes through.
+void requireFreeSolids(const Scene& scene, const SpawnPoints& points) {
+  if (scene.solids.empty()) return;
+  const NamedSolids colliders(scene, kGrown_d * scene.fluid.spacing_m);
+  for (std::size_t s = 0; s < scene.solids.size(); ++s) {
+    for (std::size_t k = 0; k < colliders.count(); ++k) colliders.requireFree(scene, points, s, k);
   }
 }
 
 }  // namespace
 
 void requireFreeSpawn(const Scene& scene) {
-  const NamedSolids solids(scene);
+  const NamedSolids solids(scene, 0.0);
   const SpawnPoints points(scene);
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     const Block& block = scene.blocks[b];
@@ -161,7 +229,8 @@ void requireFreeSpawn(const Scene& scene) {
       solids.requireFree(keyOf(b), block, scene.spacing_m(block), k);
     }
   }
-  requireApart(scene, points);
+  requireFreeSolids(scene, points);
+  requireApart({scene, points});
   for (std::size_t s = 0; s < scene.sources.size(); ++s) {
     if (!scene.sources[s].follow_frame.empty()) continue;  // it has no place yet
     for (std::size_t k = 0; k < solids.count(); ++k) {

@@ -9,7 +9,8 @@ namespace ice_ice_baby {
 /// the walls of a closed container, one of which `carve` leaves nothing, and two blocks whose
 /// particles lie within each other. What only comes nearer to a collider than half a spacing is
 /// pushed out of it before the first frame. Refuses a source of which a particle would start within
-/// a collider in the same way.
+/// a collider in the same way, and a floating solid that reaches into a collider, into water or
+/// into another solid.
 /// @throws InvalidInput that names the keys and says how many particles are concerned
 void requireFreeSpawn(const Scene& scene);
 

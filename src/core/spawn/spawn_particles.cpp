@@ -15,15 +15,22 @@ Particles<Real> spawnParticles(const Scene& scene, std::vector<Spawn>& spawns) {
 
   const SpawnPoints points(scene);
   std::uint32_t i = 0;
+  const auto add = [&](const Vec3d& point, const Vec3d& velocity_m_s) {
+    particles.position.set(i, point.cast<Real>());
+    particles.predicted.set(i, point.cast<Real>());
+    particles.velocity.set(i, velocity_m_s.cast<Real>());
+    particles.id[i] = i;
+    ++i;
+  };
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const std::uint32_t first = i;
-    points.forEach(k, [&](const Vec3d& point) {
-      particles.position.set(i, point.cast<Real>());
-      particles.predicted.set(i, point.cast<Real>());
-      particles.velocity.set(i, scene.blocks[k].velocityAt(point).template cast<Real>());
-      particles.id[i] = i;
-      ++i;
-    });
+    points.forEach(k, [&](const Vec3d& point) { add(point, scene.blocks[k].velocityAt(point)); });
+    spawns.push_back({first, i - first});
+  }
+  for (std::size_t k = 0; k < scene.solids.size(); ++k) {
+    const std::uint32_t first = i;
+    // Their body gives them their velocities.
+    points.forEachOfSolid(k, [&](const Vec3d& point) { add(point, Vec3d::Zero()); });
     spawns.push_back({first, i - first});
   }
   particles.next_id = i;

@@ -5,8 +5,8 @@
 
 namespace ice_ice_baby {
 
-/// Fills every block of the scene, in the order of the scene file.
-/// @param spawns one entry per block
+/// Fills every block of the scene, then every solid, in the order of the scene file.
+/// @param spawns one entry per block and one per solid
 template <class Real>
 Particles<Real> spawnParticles(const Scene& scene, std::vector<Spawn>& spawns);
 

@@ -21,8 +21,8 @@ void Conductances<Real>::begin(const VectorField<Real>& x, const Neighbours<Real
   if (has_mirrors_) mirrors_.locate(x);
   presence_.resize(x.size());
   parallelFor(x.size(), [&](std::size_t i) {
-    const bool steam = step.steam && (*step.steam)[i];
-    presence_[i] = steam ? Real(0) : step.volume ? (*step.volume)[i] : Real(1);
+    const bool absent = step.solid(i) || (step.steam && (*step.steam)[i]);
+    presence_[i] = absent ? Real(0) : step.volume ? (*step.volume)[i] : Real(1);
   });
   rows_.pack(x, presence_);
   start_.resize(x.size());

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "ice_ice_baby/samples.h"
 #include "particles/neighbours.h"
 #include "thermal/adiabatic_mirrors.h"
 #include "thermal/conductance_pass.h"
@@ -17,6 +18,10 @@ struct ThermalStep {
   double air_c = 20.0;                               ///< of the air
   const std::vector<std::uint8_t>* steam = nullptr;  ///< (n) 1 for steam; null: no steam
   const std::vector<Real>* volume = nullptr;         ///< (n) relative to water; null: all 1
+  const std::vector<Phase>* phase = nullptr;         ///< (n) for solids; null: there are none
+
+  /// Whether a particle belongs to a solid, which exchanges no heat.
+  bool solid(std::size_t i) const { return phase && (*phase)[i] == Phase::kSolid; }
 };
 
 template <class Real>

@@ -15,9 +15,10 @@ bool HeatedSpace::holds(const Vec3d& point) const {
 
 template <class Real>
 void spreadPower(const HeatedSpace& space, double watts, const VectorField<Real>& x,
-                 std::vector<Real>& power_w) {
+                 const ThermalStep<Real>& step, std::vector<Real>& power_w) {
   const auto forEachInside = [&](const auto& visit) {
     parallelFor(x.size(), [&](std::size_t i) {
+      if (step.solid(i)) return;
       if (space.holds(x.at(i).template cast<double>())) visit(i);
     });
   };
@@ -29,12 +30,13 @@ void spreadPower(const HeatedSpace& space, double watts, const VectorField<Real>
 }
 
 template <class Real>
-void HeatedRegions::advance(const VectorField<Real>& x, double dt_s, std::vector<Real>& power_w) {
+void HeatedRegions::advance(const VectorField<Real>& x, const ThermalStep<Real>& step,
+                            std::vector<Real>& power_w) {
   for (HeatedRegion& region : active_) {
-    const double part = dt_s > 0.0 ? std::min(region.duration_s / dt_s, 1.0) : 0.0;
-    region.duration_s -= dt_s;
+    const double part = step.dt_s > 0.0 ? std::min(region.duration_s / step.dt_s, 1.0) : 0.0;
+    region.duration_s -= step.dt_s;
     const Posed pose{region.centre_m, Mat3<double>::Identity()};
-    spreadPower({region.shape, region.size_m, pose}, part * region.power_w, x, power_w);
+    spreadPower({region.shape, region.size_m, pose}, part * region.power_w, x, step, power_w);
   }
   active_.erase(std::remove_if(active_.begin(), active_.end(),
                                [](const HeatedRegion& region) { return region.duration_s <= 0.0; }),
@@ -42,10 +44,12 @@ void HeatedRegions::advance(const VectorField<Real>& x, double dt_s, std::vector
 }
 
 template void spreadPower(const HeatedSpace&, double, const VectorField<float>&,
-                          std::vector<float>&);
+                          const ThermalStep<float>&, std::vector<float>&);
 template void spreadPower(const HeatedSpace&, double, const VectorField<double>&,
-                          std::vector<double>&);
-template void HeatedRegions::advance(const VectorField<float>&, double, std::vector<float>&);
-template void HeatedRegions::advance(const VectorField<double>&, double, std::vector<double>&);
+                          const ThermalStep<double>&, std::vector<double>&);
+template void HeatedRegions::advance(const VectorField<float>&, const ThermalStep<float>&,
+                                     std::vector<float>&);
+template void HeatedRegions::advance(const VectorField<double>&, const ThermalStep<double>&,
+                                     std::vector<double>&);
 
 }  // namespace ice_ice_baby

@@ -5,6 +5,7 @@
 
 #include "ice_ice_baby/simulation.h"
 #include "particles/particles.h"
+#include "thermal/conductances.h"
 
 namespace ice_ice_baby {
 
@@ -17,21 +18,23 @@ struct HeatedSpace {
   bool holds(const Vec3d& point) const;
 };
 
-/// Adds `watts` to `power_w`, spread evenly over the particles in the space; nothing without any.
+/// Adds `watts` to `power_w`, spread evenly over the particles in the space that are not of solids;
+/// nothing without any.
 /// @param power_w (n) W
 template <class Real>
 void spreadPower(const HeatedSpace& space, double watts, const VectorField<Real>& x,
-                 std::vector<Real>& power_w);
+                 const ThermalStep<Real>& step, std::vector<Real>& power_w);
 
 class HeatedRegions {
  public:
   void add(const HeatedRegion& region) { active_.push_back(region); }
 
-  /// Adds the mean power that each particle receives over the next `dt_s` of simulated time to
+  /// Adds the mean power that each particle receives over the next `step.dt_s` of simulated time to
   /// `power_w`, and removes regions that have ended. A region without particles heats nothing.
   /// @param power_w (n) W
   template <class Real>
-  void advance(const VectorField<Real>& x, double dt_s, std::vector<Real>& power_w);
+  void advance(const VectorField<Real>& x, const ThermalStep<Real>& step,
+               std::vector<Real>& power_w);
 
   std::size_t size() const { return active_.size(); }
   template <class Self, class Archive>

@@ -32,17 +32,22 @@ bool SceneRegions::moved() const {
 }
 
 template <class Real>
-void SceneRegions::advance(const VectorField<Real>& x, double dt_s, std::vector<Real>& power_w) {
+void SceneRegions::advance(const VectorField<Real>& x, const ThermalStep<Real>& step,
+                           std::vector<Real>& power_w) {
   for (std::size_t k = 0; k < all_.size(); ++k) {
     Region& one = all_[k];
     const HeatedSpace space{regions_[k].shape, regions_[k].size_m, one.pose};
-    if (one.owed_j != 0.0 && dt_s > 0.0) spreadPower(space, one.owed_j / dt_s, x, power_w);
+    if (one.owed_j != 0.0 && step.dt_s > 0.0) {
+      spreadPower(space, one.owed_j / step.dt_s, x, step, power_w);
+    }
     one.owed_j = 0.0;
     one.moved = false;
   }
 }
 
-template void SceneRegions::advance(const VectorField<float>&, double, std::vector<float>&);
-template void SceneRegions::advance(const VectorField<double>&, double, std::vector<double>&);
+template void SceneRegions::advance(const VectorField<float>&, const ThermalStep<float>&,
+                                    std::vector<float>&);
+template void SceneRegions::advance(const VectorField<double>&, const ThermalStep<double>&,
+                                    std::vector<double>&);
 
 }  // namespace ice_ice_baby

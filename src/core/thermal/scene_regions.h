@@ -5,6 +5,7 @@
 
 #include "ice_ice_baby/scene.h"
 #include "particles/particles.h"
+#include "thermal/conductances.h"
 
 namespace ice_ice_baby {
 
@@ -23,12 +24,13 @@ class SceneRegions {
   void addFrame(double frame_s);
   /// Whether one that owes heat has moved since the last pass, so that the next one is due now.
   bool moved() const;
-  /// Adds the mean power that each particle receives in a pass of `dt_s` to `power_w`, after which
-  /// no region owes anything. What is owed to an empty region is lost, as that of a heat gun that
-  /// points at nothing.
+  /// Adds the mean power that each particle receives in a pass of `step.dt_s` to `power_w`, after
+  /// which no region owes anything. What is owed to an empty region is lost, as that of a heat gun
+  /// that points at nothing.
   /// @param power_w (n) W
   template <class Real>
-  void advance(const VectorField<Real>& x, double dt_s, std::vector<Real>& power_w);
+  void advance(const VectorField<Real>& x, const ThermalStep<Real>& step,
+               std::vector<Real>& power_w);
 
   std::size_t bytes() const { return all_.capacity() * sizeof(Region); }
 

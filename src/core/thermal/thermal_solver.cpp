@@ -86,8 +86,8 @@ void ThermalSolver<Real>::advance(const Particles<Real>& particles,
   const double heat_s = step.dt_s * params_.speedup;
   walls_.advance(step.dt_s);
   power_w_.assign(n, 0);
-  regions_.advance(particles.position, step.dt_s, power_w_);
-  if (scene_regions_) scene_regions_->advance(particles.position, step.dt_s, power_w_);
+  regions_.advance(particles.position, step, power_w_);
+  if (scene_regions_) scene_regions_->advance(particles.position, step, power_w_);
   passes_ = 0;
   reached_speedup_ = 0.0;
   if (n == 0 || heat_s <= 0.0) return;
@@ -120,9 +120,9 @@ void ThermalSolver<Real>::measure(const Particles<Real>& particles,
     links_.measure(x, neighbours, {first, last}, relaxation_, open_m2_);
     meetWalls(x, first, last, step);
     for (std::size_t i = first; i < last; ++i) {
-      const bool steam = step.steam && (*step.steam)[i];
-      bare_m2_[i] = steam ? Real(0) : bareArea_m2(open_m2_.at(i), relaxation_[i]);
-      relaxation_[i] = steam ? Real(0) : relaxation_kg_s(i, relaxation_[i]);
+      const bool apart = step.solid(i) || (step.steam && (*step.steam)[i]);
+      bare_m2_[i] = apart ? Real(0) : bareArea_m2(open_m2_.at(i), relaxation_[i]);
+      relaxation_[i] = apart ? Real(0) : relaxation_kg_s(i, relaxation_[i]);
     }
   });
 }
@@ -141,6 +141,7 @@ void ThermalSolver<Real>::meetWalls(const VectorField<Real>& x, std::size_t firs
   if (!walls_.active()) return;
   const Real margin = static_cast<Real>(lattice_.support_m - lattice_.spacing_m / 2);
   forEachNear(colliders_, Paths<Real>{x, x}, margin, first, last, [&](std::size_t i) {
+    if (step.solid(i)) return;
     const bool steam = step.steam && (*step.steam)[i];
     contact_[i] = steam ? walls_.touching(x.at(i)) : walls_.at(x.at(i));
     power_w_[i] += contact_[i].power_w;
@@ -222,6 +223,7 @@ double ThermalSolver<Real>::gainOfSteam_j_kg(std::size_t i, double air_c, double
 
 template <class Real>
 void ThermalSolver<Real>::apply(std::size_t i, const ThermalStep<Real>& step, double pass_s) {
+  if (step.solid(i)) return;
   const bool steam = step.steam && (*step.steam)[i];
   const double per_w = pass_s / lattice_.mass_kg;
   const double gain =

@@ -25,32 +25,45 @@ WrenchMeter<Real>::WrenchMeter(const Scene& scene, const Colliders<Real>& collid
 
 /// Summed in order, in double precision.
 template <class Real>
-Impulse WrenchMeter<Real>::momentumOf(const Particles<Real>& particles) const {
+Impulse WrenchMeter<Real>::momentumOf(const Particles<Real>& particles,
+                                      const IceBodies<Real>* bodies) const {
   Impulse sum;
   for (std::size_t i = 0; i < particles.owned(); ++i) {
-    if (phases_ && phases_->steam(i)) continue;
+    if (!counts(i)) continue;
     sum.add(particles.position.at(i).template cast<double>(),
             particles.velocity.at(i).template cast<double>());
   }
-  return sum * mass_kg_;
+  Impulse all = sum * mass_kg_;
+  if (bodies) {
+    bodies->forEachSolid([&](const IceBody& body) {
+      all.add(body.pose.centre_m, body.mass_kg * body.velocity_m_s);
+      all.angular += body.angular_momentum;
+    });
+  }
+  return all;
 }
 
 template <class Real>
-Impulse WrenchMeter<Real>::weightOf(const Particles<Real>& particles,
+Impulse WrenchMeter<Real>::weightOf(const Particles<Real>& particles, const IceBodies<Real>* bodies,
                                     const Vec3d& gravity_m_s2) const {
   Vec3d centre = Vec3d::Zero();
   std::size_t count = 0;
   for (std::size_t i = 0; i < particles.owned(); ++i) {
-    if (phases_ && phases_->steam(i)) continue;
+    if (!counts(i)) continue;
     centre += particles.position.at(i).template cast<double>();
     ++count;
   }
-  return Impulse{double(count) * gravity_m_s2, centre.cross(gravity_m_s2)} * mass_kg_;
+  Impulse weight = Impulse{double(count) * gravity_m_s2, centre.cross(gravity_m_s2)} * mass_kg_;
+  if (bodies) {
+    bodies->forEachSolid(
+        [&](const IceBody& body) { weight.add(body.pose.centre_m, body.mass_kg * gravity_m_s2); });
+  }
+  return weight;
 }
 
 template <class Real>
-void WrenchMeter<Real>::begin(const Particles<Real>& particles) {
-  before_ = momentumOf(particles);
+void WrenchMeter<Real>::begin(const Particles<Real>& particles, const IceBodies<Real>* bodies) {
+  before_ = momentumOf(particles, bodies);
   for (std::size_t c = 0; c < known_.size(); ++c) {
     // The warm start repeats a share of the corrections.
     walls_[c] = walls_[c] * warm_start_;
@@ -138,11 +151,11 @@ void WrenchMeter<Real>::addIce(const IceContacts<Real>* contacts, const IceBodie
 
 /// Closes the balance: what the particles gained beyond their weight, the colliders lost.
 template <class Real>
-void WrenchMeter<Real>::end(const Particles<Real>& particles, const Vec3d& gravity_m_s2,
-                            double dt_s) {
-  Impulse rest = weightOf(particles, gravity_m_s2) * dt_s;
+void WrenchMeter<Real>::end(const Particles<Real>& particles, const IceBodies<Real>* bodies,
+                            const Vec3d& gravity_m_s2, double dt_s) {
+  Impulse rest = weightOf(particles, bodies, gravity_m_s2) * dt_s;
   rest += before_;
-  rest -= momentumOf(particles);
+  rest -= momentumOf(particles, bodies);
   for (Impulse& known : known_) {
     known = known * (1 / dt_s);
     rest -= known;

@@ -25,7 +25,8 @@ class WrenchMeter {
 
   // Within a substep, in this order.
 
-  void begin(const Particles<Real>& particles);
+  /// @param bodies or null
+  void begin(const Particles<Real>& particles, const IceBodies<Real>* bodies);
   /// What the coarse level did.
   void addCoarse(const Fluid<Real>& fluid, const Particles<Real>& particles, Real dt);
   /// What the density of walls did in an iteration. Call it before x* changes.
@@ -37,7 +38,8 @@ class WrenchMeter {
   /// What contacts of ice did. @param contacts, bodies null without ice
   void addIce(const IceContacts<Real>* contacts, const IceBodies<Real>* bodies,
               const Vec3d& gravity_m_s2, double dt_s);
-  void end(const Particles<Real>& particles, const Vec3d& gravity_m_s2, double dt_s);
+  void end(const Particles<Real>& particles, const IceBodies<Real>* bodies,
+           const Vec3d& gravity_m_s2, double dt_s);
 
   /// The next substep does not start from corrections of the latest one.
   void forget();
@@ -51,8 +53,10 @@ class WrenchMeter {
   std::vector<ColliderWrench> mean() const;
 
  private:
-  Impulse momentumOf(const Particles<Real>& particles) const;
-  Impulse weightOf(const Particles<Real>& particles, const Vec3d& gravity_m_s2) const;
+  bool counts(std::size_t i) const { return !phases_ || !(phases_->steam(i) || phases_->solid(i)); }
+  Impulse momentumOf(const Particles<Real>& particles, const IceBodies<Real>* bodies) const;
+  Impulse weightOf(const Particles<Real>& particles, const IceBodies<Real>* bodies,
+                   const Vec3d& gravity_m_s2) const;
   void add(const WallLoad<Real>& load);
   Index pushing(const Vec3<Real>& point, const Vec3<Real>& push) const;
   void shareOut(const Impulse& rest);

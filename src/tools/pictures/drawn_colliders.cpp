@@ -98,6 +98,7 @@ Eigen::AlignedBox3f boundsOf(const Scene& scene) {
   for (const Block& block : scene.blocks) {
     bounds.extend(block.min_m.cast<float>()).extend(block.max_m.cast<float>());
   }
+  for (const Solid& solid : scene.solids) bounds.extend(solid.position_m.cast<float>());
   if (bounds.isEmpty()) bounds.extend(Eigen::Vector3f::Zero()).extend(Eigen::Vector3f::Ones());
   return bounds;
 }
@@ -130,6 +131,18 @@ void drawClearColliders(const Simulation& simulation, Canvas& canvas) {
       drawTriangles(mesh, pose, colour, 0.6f, true, canvas);
     }
     drawEdges(mesh, pose, mixed(colour, {1, 1, 1}, 0.3f), 0.5f, 2, canvas);
+  });
+}
+
+void drawSolids(const Simulation& simulation, Canvas& canvas) {
+  MeshDetail detail;
+  detail.round_segments = 64;
+  const std::vector<SolidState> states = simulation.solids();
+  forEachSolidMesh(simulation.scene(), detail, [&](const Solid& solid, const ColliderMesh& mesh) {
+    for (const SolidState& state : states) {
+      if (state.name != solid.name) continue;
+      drawSolid(mesh, state.pose.cast<float>(), kSolidColour, 1.0f, canvas);
+    }
   });
 }
 

@@ -1,4 +1,5 @@
-// Colliders in pictures, in scenes with heat coloured by their temperature.
+// Colliders and floating solids in pictures; colliders in scenes with heat coloured by their
+// temperature.
 #pragma once
 
 #include "pictures/canvas.h"
@@ -16,6 +17,9 @@ void drawOpaqueColliders(const Simulation& simulation, Canvas& canvas);
 
 /// Edges of what holds water, its floor where it is not insulated, grounds of lower opacity.
 void drawClearColliders(const Simulation& simulation, Canvas& canvas);
+
+/// The true shapes of floating solids.
+void drawSolids(const Simulation& simulation, Canvas& canvas);
 
 /// Of a scene without heat: objects, and edges of what holds water.
 void drawPlainColliders(const Simulation& simulation, Canvas& canvas);

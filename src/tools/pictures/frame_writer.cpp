@@ -57,6 +57,7 @@ void FrameWriter::paintPlainly(const Simulation& simulation) {
   simulation.sampleSprings(springs_, kMaxSprings);
   const float radius = float(simulation.scene().fluid.spacing_m) / 2;
   for (const ParticleSample& p : particles_) {
+    if (p.phase == Phase::kSolid) continue;
     const float speed = std::sqrt(p.vx * p.vx + p.vy * p.vy + p.vz * p.vz);
     const float foam = std::min(0.55f, 0.25f * speed);
     const float white = std::max(foam, 0.85f * p.ice_fraction);
@@ -67,6 +68,7 @@ void FrameWriter::paintPlainly(const Simulation& simulation) {
     canvas_.drawLine({s.ax, s.ay, s.az}, {s.bx, s.by, s.bz}, {0.2f, 0.35f, 0.6f}, 0.5f);
   }
   drawPlainColliders(simulation, canvas_);
+  drawSolids(simulation, canvas_);
 }
 
 void FrameWriter::write(const Simulation& simulation) {

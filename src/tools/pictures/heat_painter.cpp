@@ -70,6 +70,7 @@ void HeatPainter::paint(const Simulation& simulation, const std::vector<Particle
   canvas.everything();
   canvas.clear(kSky, kGround);
   drawOpaqueColliders(simulation, canvas);
+  drawSolids(simulation, canvas);
   paintIce(particles, canvas);
   gatherWater(particles, canvas);
   canvas.onlyFurther(water_.depths());
