@@ -104,15 +104,20 @@ class Pourer:
 
 def main():
     rospy.init_node("pour")
-    pourer, pour_ml = Pourer(), rospy.get_param("~pour_ml", 200.0)
-    while not pourer.arm.listens():
+    pour_ml, fill_ml = rospy.get_param("~pour_ml", 200.0), rospy.get_param("~fill_ml", 300.0)
+    if not 0 < pour_ml + 40 <= fill_ml <= 400:  # fuller, it would spill; emptier, tilt too far
+        sys.exit("~fill_ml is %g; it must be from ~pour_ml + 40 to 400" % fill_ml)
+    pourer = Pourer()
+    if pourer.sense not in ("vessels", "wrist"):
+        sys.exit("~sense is %s; it must be vessels or wrist" % pourer.sense)
+    while not (pourer.arm.listens() or rospy.is_shutdown()):
         time.sleep(0.1)
     call("set_source", SetSource, name="tap", open=False)
     begin_s = time.monotonic()
     call("resume", Trigger)
     while not pourer.vessels:
         rospy.sleep(1.0 / RATE_HZ)
-    pourer.fill(rospy.get_param("~fill_ml", 300.0))
+    pourer.fill(fill_ml)
     pourer.carry()
     full_g = pourer.weight_g["cup"]
     pourer.pour(pour_ml)
@@ -133,4 +138,8 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except (rospy.ROSException, rospy.ServiceException):
+        if not rospy.is_shutdown():  # Ctrl-C
+            raise

@@ -63,7 +63,7 @@ class Pour(unittest.TestCase):
             arm.joints_of(0.0, (0.8, 0.1), 0.0)
 
     def test_2_it_pours_200_ml_and_spills_nothing(self):
-        wait_until(lambda: rospy.has_param(RESULT), "the result of the arm", 200.0)
+        wait_until(lambda: rospy.has_param(RESULT), "the result of the arm", 450.0)
         result = rospy.get_param(RESULT)
         self.assertLessEqual(abs(result["error_percent"]), 2.0, result)
         self.assertEqual(result["spilled_particles"], 0, result)
@@ -75,4 +75,4 @@ class Pour(unittest.TestCase):
 if __name__ == "__main__":
     import rostest
 
-    rostest.rosrun("ice_ice_baby", "pour", Pour)
+    rostest.rosrun("ice_ice_baby", "pour_test", Pour)

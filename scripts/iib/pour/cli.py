@@ -50,8 +50,10 @@ def checked(args):
         raise Refusal(f"--starts {args.starts} is outside [1, 1000]")
     if args.only is not None and not 1 <= args.only <= args.starts:
         raise Refusal(f"--only {args.only} is outside [1, {args.starts}]")
-    if not 20 <= args.ml <= 240:
-        raise Refusal(f"--ml {args.ml:g} is outside [20, 240]")
+    if not 20 <= args.ml <= 220:
+        raise Refusal(f"--ml {args.ml:g} is outside [20, 220]")  # of at least 260 ml
+    if args.sense not in ("vessels", "wrist"):
+        raise Refusal(f"--sense {args.sense} is neither vessels nor wrist")
     if not 1 <= args.threads <= 1024:
         raise Refusal(f"--threads {args.threads} is outside [1, 1024]")
     return args
