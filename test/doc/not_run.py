@@ -19,6 +19,7 @@ NOT_RUN = {
     "scripts/check/*": "takes minutes, and needs tools that the machine may lack",
     "*scripts/load/flood --scene small": "takes minutes",
     "scripts/load/carry": "takes minutes",
+    "scripts/pour*": "takes minutes",
     "cmake -*": "builds",
     "ctest -*": "runs other tests",
     "catkin_make *": "needs a catkin workspace",
@@ -26,6 +27,7 @@ NOT_RUN = {
     "run_scene dam_break --set fluid.spacing_m=0.015 *": "takes half a minute",
     "run_scene deep_column --threads 1 *": "takes a minute",
     "run_scene dam_break --threads 1 *": "takes half a minute",
+    "run_scene pour --set solver.coarse_level=true *": "takes half a minute",
     "run_scene iceberg --threads 2 --duration 6 --profile": "takes half a minute",
 }
 
@@ -33,7 +35,7 @@ NOT_RUN = {
 EXIT_CODES = {"run_scene container_splash --preset paper --duration 1.5 *": 2}
 
 # Launch files that open rviz, which needs a display.
-WITH_RVIZ = ("demo.launch", "replay.launch")
+WITH_RVIZ = ("demo.launch", "replay.launch", "pour.launch")
 
 
 def reason(text):

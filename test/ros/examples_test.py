@@ -60,6 +60,40 @@ class Examples(unittest.TestCase):
             self.assertGreater(float(found.group(1)), 0.0)
             self.assertGreater(float(found.group(2)), 0.0)
 
+    def test_1_subscribers_print_the_weight_in_the_bowl(self):
+        self.node.when(lambda s: s.time_s > 2.0, "water at rest")
+        weight_n = 9.81 * self.node.state().particles * 1000 * 0.03**3
+        for program in built("print_wrench"), str(SCRIPTS / "print_wrench.py"):
+            line = self.start(program).stdout.readline()
+            found = re.search(r"bowl: ([\d.]+) N downwards", line)
+            self.assertTrue(found, line)
+            self.assertAlmostEqual(float(found.group(1)), weight_n, delta=0.2 * weight_n)
+
+    def run_to_end(self, *command):
+        return subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+
+    def test_1_clients_set_the_temperature(self):
+        for program in built("set_temperature"), str(SCRIPTS / "set_temperature.py"):
+            for celsius in (25.0, 20.0):
+                done = self.run_to_end(program, str(celsius))
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.node.when(lambda s, c=celsius: s.temperature == c, "%g degrees" % celsius)
+            done = self.run_to_end(program, "5000")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("1000", done.stdout)  # what is allowed
+
+    def test_1_clients_start_the_scene_again(self):
+        for program in built("reset_scene"), str(SCRIPTS / "reset_scene.py"):
+            self.node.when(lambda s: s.frame > 0, "a frame")
+            self.node.pause()
+            done = self.run_to_end(program)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.node.when(lambda s: s.frame == 0, "the start of the scene")
+            self.node.resume()
+            done = self.run_to_end(program, "no_such_scene")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("no_such_scene", done.stdout)
+
     def test_2_calm_water_freezes(self):
         child = self.start(built("freeze_when_calm"))
         output, _ = child.communicate(timeout=60)

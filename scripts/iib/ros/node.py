@@ -81,10 +81,10 @@ class Latest:
 class Node:
     """Services of a simulation node, by their private names: node.step(frames=3)."""
 
-    def __init__(self, name="/sim"):
+    def __init__(self, name="/sim", timeout_s=30.0):
         self.name = name
         for service, kind in TYPES.items():
-            rospy.wait_for_service(name + "/" + service, timeout=30.0)
+            rospy.wait_for_service(name + "/" + service, timeout=timeout_s)
             setattr(self, service, rospy.ServiceProxy(name + "/" + service, kind))
 
     def state(self):

@@ -16,6 +16,7 @@ class OwnNode:
     """A master and a simulation node on loopback, both ended with the `with` block."""
 
     name = "/sim"
+    start_s = 30.0  # how long the node may take to start
 
     def __init__(self, scene, **parameters):
         self.parameters = dict(parameters, scene=scene)
@@ -58,7 +59,7 @@ class OwnNode:
         for name, value in parameters.items():
             rospy.set_param(self.name + "/" + name, value)
         self._start(find_simulation_node(), "__name:=" + self.name[1:])
-        self.node = Node(self.name)
+        self.node = Node(self.name, self.start_s)
         self.pid = process_of(self.name)
 
     def _start(self, *command):

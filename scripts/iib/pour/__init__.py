@@ -1,0 +1,1 @@
+"""Random starts of examples/pour, with a node of its own."""
