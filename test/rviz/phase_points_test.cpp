@@ -135,7 +135,7 @@ TEST(PhasePointsTest, BrokenCloudsAreRefused) {
   EXPECT_THROW(splitPhases(sensor_msgs::PointCloud2(), points), std::invalid_argument);
   Cloud unknown;
   unknown.add(1.0F, 0.0F, Phase::kWater);
-  unknown.message.data[Cloud::PHASE_AT] = 3;
+  unknown.message.data[Cloud::PHASE_AT] = 4;
   EXPECT_THROW(splitPhases(unknown.message, points), std::invalid_argument);
 }
 

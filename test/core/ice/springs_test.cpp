@@ -16,7 +16,7 @@ template <class Real>
 struct Dumbbell {
   explicit Dumbbell(const SpringParams& params)
       : cloud({Vec3d::Zero(), Vec3d(0.04, 0, 0)}, 0.1), springs(params) {
-    springs.make(cloud.particles, cloud.neighbours, Real(0.1));
+    springs.make(cloud.particles, cloud.neighbours, nullptr, Real(0.1));
   }
   /// Length after a correction from `length_m`.
   double corrected(double length_m, double strictness, double dt_s) {
@@ -99,7 +99,7 @@ TEST(SpringsTest, EndsInOnePointStayFinite) {
 TEST(SpringsTest, JoinsEachPairWithinReachOnce) {
   const Cloud<double> cloud(test::randomPoints(300, Vec3d::Zero(), Vec3d::Constant(0.3), 51), 0.1);
   Springs<double> springs{SpringParams()};
-  springs.make(cloud.particles, cloud.neighbours, 0.06);
+  springs.make(cloud.particles, cloud.neighbours, nullptr, 0.06);
   std::size_t expected = 0;
   for (std::size_t i = 0; i < 300; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -107,7 +107,7 @@ TEST(SpringsTest, JoinsEachPairWithinReachOnce) {
     }
   }
   EXPECT_EQ(springs.size(), expected);
-  springs.make(cloud.particles, cloud.neighbours, 0.06);
+  springs.make(cloud.particles, cloud.neighbours, nullptr, 0.06);
   EXPECT_EQ(springs.size(), expected) << "made anew, not added";
   springs.melt();
   EXPECT_TRUE(springs.empty());
@@ -116,7 +116,7 @@ TEST(SpringsTest, JoinsEachPairWithinReachOnce) {
 TEST(SpringsTest, CorrectionsConserveMomentum) {
   const Cloud<double> cloud(test::randomPoints(500, Vec3d::Zero(), Vec3d::Constant(0.3), 52), 0.1);
   Springs<double> springs{SpringParams()};
-  springs.make(cloud.particles, cloud.neighbours, 0.08);
+  springs.make(cloud.particles, cloud.neighbours, nullptr, 0.08);
   VectorField<double> moved = cloud.particles.predicted;
   test::Random random(53);
   for (std::size_t i = 0; i < moved.size(); ++i) moved.add(i, 0.02 * random.direction());
@@ -133,7 +133,7 @@ TEST(SpringsTest, SheetSpringsSurviveMeltingAndKeepTheirLengthWhenWarm) {
   springs.addSheet(cloud.particles, cloud.neighbours, {0, 16}, 0.075);
   const std::size_t sheet = 24 + 18;  // along x and y, and both diagonals of 9 squares
   EXPECT_EQ(springs.size(), sheet);
-  springs.make(cloud.particles, cloud.neighbours, 0.1);
+  springs.make(cloud.particles, cloud.neighbours, nullptr, 0.1);
   EXPECT_GT(springs.size(), sheet);
   springs.melt();
   EXPECT_EQ(springs.size(), sheet);
@@ -149,7 +149,7 @@ TEST(SpringsTest, EnergyOfElasticIceIsHalfTheForceTimesTheStretch) {
   constexpr double kCompliance_m_n = 2e-4, kDt_s = 0.002;
   Cloud<double> cloud({Vec3d::Zero(), Vec3d(0.04, 0, 0)}, 0.1);
   Springs<double> springs{SpringParams()};
-  springs.make(cloud.particles, cloud.neighbours, 0.1);
+  springs.make(cloud.particles, cloud.neighbours, nullptr, 0.1);
   VectorField<double>& x = cloud.particles.predicted;
   x.x[1] *= 1.25;
   springs.correctElastic(x, kCompliance_m_n, 0.1, kDt_s, true);
@@ -163,7 +163,7 @@ TEST(SpringsTest, EnergyOfRigidSpringsIsThatOfTheStretchLeftOver) {
   constexpr double kParticle_kg = 0.1, kDt_s = 0.002;
   Cloud<double> cloud({Vec3d::Zero(), Vec3d(0.04, 0, 0)}, 0.1);
   Springs<double> springs{SpringParams()};
-  springs.make(cloud.particles, cloud.neighbours, 0.1);
+  springs.make(cloud.particles, cloud.neighbours, nullptr, 0.1);
   springs.keep();
   VectorField<double>& x = cloud.particles.predicted;
   x.x[1] = 0.05;
@@ -188,7 +188,7 @@ TEST(SpringsTest, SheetTakesItsOwnParticlesOnly) {
 TEST(SpringsTest, RenumberFollowsASort) {
   Cloud<double> cloud(test::randomPoints(200, Vec3d::Zero(), Vec3d::Constant(0.2), 54), 0.1);
   Springs<double> springs{SpringParams()};
-  springs.make(cloud.particles, cloud.neighbours, 0.07);
+  springs.make(cloud.particles, cloud.neighbours, nullptr, 0.07);
   std::vector<Index> order(200);
   for (Index k = 0; k < 200; ++k) order[k] = (k * 77 + 13) % 200;
   cloud.particles.reorder(order);

@@ -168,7 +168,7 @@ TEST_P(ComingAndGoingTest, NothingElseChangesInTheMoment) {
   Simulator<float> simulator(traffic.story.scene, 1);
   run(traffic, simulator, 0, 11);
   const auto enthalpy_j = [&] {
-    return simulator.phaseChange() ? simulator.phaseChange()->heat().totalEnthalpy_j() : 0.0;
+    return simulator.phaseChange() ? simulator.phaseChange()->heat()->totalEnthalpy_j() : 0.0;
   };
   const auto expectSame = [](const ParticleSample& a, const ParticleSample& b) {
     ASSERT_EQ(a.id, b.id);
