@@ -12,7 +12,7 @@ struct FrameView {
   const std::vector<ParticleSample>& particles;  ///< all particles, by id
   DensityError error;
   double frame_wall_s;  ///< mean over the frames since the previous view
-  std::vector<ColliderWrench> wrenches;  ///< means over those frames; empty if not measured
+  std::vector<ColliderWrench> wrenches{};  ///< means over those frames; empty if not measured
 
   const StepReport& report() const { return simulation.report(); }
   const Scene& scene() const { return simulation.scene(); }

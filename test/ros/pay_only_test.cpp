@@ -59,6 +59,11 @@ class Watched final : public Simulation {
     ++poses;
     return real_->colliderPose(name);
   }
+  std::vector<SolidState> solids() const override { return real_->solids(); }
+  void holdSolid(const std::string& name, const Posed& pose) override {
+    real_->holdSolid(name, pose);
+  }
+  void releaseSolid(const std::string& name) override { real_->releaseSolid(name); }
   void sample(std::vector<ParticleSample>& out, std::size_t stride) const override {
     ++samples;
     real_->sample(out, stride);

@@ -31,18 +31,6 @@ void requireHeat(const Scene& scene, const std::string& what) {
                      scene.name + " has one temperature for all of it");
 }
 
-void requirePose(const std::string& of, const Posed& pose) {
-  for (int axis = 0; axis < 3; ++axis) {
-    requireInRange("position of " + of, pose.position[axis], kCoordinateRange_m.min,
-                   kCoordinateRange_m.max);
-  }
-  // A reflection is unitary too, but its determinant is -1.
-  const auto& rotation = pose.rotation;
-  if (!rotation.allFinite() || !rotation.isUnitary(1e-6) || rotation.determinant() < 0.0) {
-    throw InvalidInput("rotation of " + of + " must be a unit quaternion");
-  }
-}
-
 /// Number of the item with this name. @param noun of an item
 /// @throws InvalidInput if there is none
 template <class Item>
@@ -97,13 +85,13 @@ template <class Real>
 void Simulator<Real>::moveHeatRegion(const std::string& name, const Posed& pose) {
   const std::size_t k = numberOfHeatRegion(scene_, name);
   requirePose("heat region " + name, pose);
-  phase_change_->heat().sceneRegions()->move(k, pose);
+  phase_change_->heat()->sceneRegions()->move(k, pose);
 }
 
 template <class Real>
 Posed Simulator<Real>::heatRegionPose(const std::string& name) const {
   const std::size_t k = numberOfHeatRegion(scene_, name);
-  return phase_change_->heat().sceneRegions()->pose(k);
+  return phase_change_->heat()->sceneRegions()->pose(k);
 }
 
 template <class Real>

@@ -71,7 +71,7 @@ TEST(HeatRegions, HeatWhatIsInThem) {
     torch.rpy_deg = {0, 0, 45};
     Simulator<float> simulator(scene, 1);
     run(simulator, 12);
-    const auto& heat = simulator.phaseChange()->heat();
+    const auto* heat = simulator.phaseChange()->heat();
     std::size_t warmed = 0;
     for (std::size_t i = 0; i < simulator.particles().size(); ++i) {
       const Vec3d arm = simulator.particles().position.at(i).cast<double>() - torch.position_m;
@@ -80,7 +80,7 @@ TEST(HeatRegions, HeatWhatIsInThem) {
       const Vec3d part = local.cwiseQuotient(torch.size_m / 2);
       const bool inside =
           shape == BlockShape::kBox ? part.cwiseAbs().maxCoeff() <= 1.0 : part.squaredNorm() <= 1.0;
-      EXPECT_EQ(heat.temperature(i) > 20.001, inside) << part.transpose();
+      EXPECT_EQ(heat->temperature(i) > 20.001, inside) << part.transpose();
       warmed += inside;
     }
     EXPECT_GT(warmed, 20U);
@@ -109,10 +109,10 @@ TEST(HeatRegions, OneThatMovesHeatsWhatItPasses) {
     EXPECT_EQ(simulator.heatRegionPose("torch").position, pose.position);
     const double each_j = 40.0 * 0.05 / speed_m_s, frame_j = 40.0 / 60;
     EXPECT_NEAR(simulator.report().enthalpy_j - before_j, 12 * each_j, frame_j * 1.01);
-    const auto& heat = simulator.phaseChange()->heat();
+    const auto* heat = simulator.phaseChange()->heat();
     const double kelvin = each_j / (0.05 * 0.05 * 0.05 * 1000 * 4186);
     for (std::size_t i = 0; i < 12; ++i) {
-      EXPECT_NEAR(heat.temperature(i) - 20.0, kelvin, 1.01 * kelvin * frame_j / each_j);
+      EXPECT_NEAR(heat->temperature(i) - 20.0, kelvin, 1.01 * kelvin * frame_j / each_j);
     }
   }
 }
@@ -169,7 +169,7 @@ TEST(HeatRegions, ASceneWithoutThemHasNoMemoryForThem) {
   const std::size_t without = heatBytes(scene);
   EXPECT_GT(without, 0U);
   EXPECT_GT(with, without);
-  EXPECT_EQ(Simulator<float>(scene, 1).phaseChange()->heat().sceneRegions(), nullptr);
+  EXPECT_EQ(Simulator<float>(scene, 1).phaseChange()->heat()->sceneRegions(), nullptr);
 }
 
 std::string refusalOfScene(const std::string& region, const std::string& more) {
