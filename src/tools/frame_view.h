@@ -11,7 +11,7 @@ struct FrameView {
   const Simulation& simulation;
   const std::vector<ParticleSample>& particles;  ///< all particles, by id
   DensityError error;
-  double frame_wall_s;  ///< mean over the frames since the previous view
+  double frame_wall_s;                     ///< mean over the frames since the previous view
   std::vector<ColliderWrench> wrenches{};  ///< means over those frames; empty if not measured
 
   const StepReport& report() const { return simulation.report(); }

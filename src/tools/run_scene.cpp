@@ -87,9 +87,10 @@ void describeOptions(CLI::App& app, Options& o) {
   app.add_option("--load", o.load,
                  "continue from a checkpoint instead of a scene, bit-identically to the run that "
                  "saved it");
-  app.add_flag("--wrenches", o.outputs.wrenches,
-               "add what water and ice do to each collider, force and torque: to the report the mean of "
-               "the last half second, to the series that since the row before");
+  app.add_flag(
+      "--wrenches", o.outputs.wrenches,
+      "add what water and ice do to each collider, force and torque: to the report the mean of "
+      "the last half second, to the series that since the row before");
   app.add_flag("--profile", o.profile, "print what each stage cost");
   app.add_flag("--list", o.list, "print the scenes and what they show");
   app.add_flag("--defaults", o.defaults, "print every key with its default, range and meaning");
