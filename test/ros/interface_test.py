@@ -349,6 +349,7 @@ class Interface(unittest.TestCase):
                 "coarse_steps",
                 "followed",
                 "gauged",
+                "raft",
                 "slow",
                 "small",
                 "steered",

@@ -48,6 +48,7 @@ LISTS = {
     "heat_regions": "heat_regions=[{name: torch, power_w: 1}]",
     "drains": "drains=[{name: hole, min_m: [-9, -9, -9], max_m: [9, 9, -8]}]",
     "meshes": "meshes=[{name: mesh, file: block.obj, position_m: [0, 0, -5]}]",
+    "solids": "solids=[{name: raft, position_m: [0, 0, 5]}]",
 }
 
 

@@ -85,7 +85,7 @@ void requireDensity(const Scene& scene, const Solid& solid, const std::string& w
 void requireWithin(const BoundsParams& bounds, const Solid& solid, const std::string& words) {
   const Vec3d centre_m = solid.pose().toWorld(massOf(solid).centre_m);
   for (int axis = 0; axis < 3; ++axis) {
-    requireInRange(words + ": " + "xyz"[axis] + " of its centre of mass in m, within bounds,",
+    requireInRange(words + ": position_m puts its centre of mass outside bounds: " + "xyz"[axis],
                    centre_m[axis], bounds.min_m[axis], bounds.max_m[axis]);
   }
 }
@@ -104,8 +104,8 @@ void requireSolids(const Scene& scene) {
     requireSize(solid, words, scene.fluid.spacing_m);
     requireDensity(scene, solid, words);
     requireWithin(scene.bounds, solid, words);
-    requireInRange(words + ": speed in m/s, up to solver.max_speed_m_s,", solid.velocity_m_s.norm(),
-                   0.0, scene.solver.max_speed_m_s);
+    requireInRange(words + ": speed of velocity_m_s, up to solver.max_speed_m_s,",
+                   solid.velocity_m_s.norm(), 0.0, scene.solver.max_speed_m_s);
   }
 }
 
