@@ -22,10 +22,8 @@ INSIDE_M, ABOVE_M = 0.02, 0.15  # lip that pours: from the axis and the floor of
 BEFORE_M, DIPPED_RAD = (-0.07, 0.08), 0.45  # lip of the upright cup from there; tilt of arrival
 RADIUS_M, DEPTH_M = 0.04, 0.11  # of the cup
 RATE_HZ, FIRST_ML_S, MOST_ML_S, LAST_ML_S = 30, 8.0, 40.0, 3.0
-RAD_PER_ML, BACK_RAD_S = (
-    0.003,
-    1.0,
-)  # tilt that pours out a millilitre, about; speed of tilting back
+RAD_PER_ML = 0.003  # tilt that pours out a millilitre, about
+BACK_RAD_S = 1.0  # speed of tilting back
 
 
 def call(service, kind, **request):
@@ -78,7 +76,7 @@ class Pourer:
         self.arm.turn = math.atan2(at.y, at.x)
         self.pours_m = math.hypot(at.x, at.y) - INSIDE_M, at.z + ABOVE_M
         self.arm.move(self.lip(0.0), 0.0, 2.5)
-        rospy.sleep(0.5)
+        rospy.sleep(1.5)  # until the water is calm, as its weight is measured
 
     def pour(self, pour_ml):
         begin_ml, poured_ml, flow_ml_s = self.content_ml(), 0.0, 0.0
