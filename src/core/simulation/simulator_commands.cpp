@@ -246,12 +246,7 @@ void requireSource(const Scene& scene, const std::string& name, double flow_l_mi
 }
 
 Index requireSolid(const Scene& scene, const std::string& name) {
-  std::vector<std::string> names;
-  for (const Solid& solid : scene.solids) names.push_back(solid.name);
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) return static_cast<Index>(found - names.begin());
-  throw InvalidInput("no solid \"" + shortened(name) + "\"; scene " + scene.name +
-                     (names.empty() ? " has none" : " has: " + joined(names)));
+  return static_cast<Index>(numberOf(scene, scene.solids, "solid", name));
 }
 
 void requireGravity(const Vec3d& gravity_m_s2) {
