@@ -1,7 +1,7 @@
 #include "loading/flow_check.h"
 
+#include "base/item_names.h"
 #include "flow/outlet.h"
-#include "loading/item_names.h"
 
 namespace ice_ice_baby {
 

@@ -1,6 +1,6 @@
 #include "loading/heat_regions_check.h"
 
-#include "loading/item_names.h"
+#include "base/item_names.h"
 
 namespace ice_ice_baby {
 

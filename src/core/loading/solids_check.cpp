@@ -3,10 +3,10 @@
 #include <cmath>
 #include <set>
 
+#include "base/item_names.h"
 #include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
 #include "solids/solid_mass.h"
-#include "solids/solid_words.h"
 
 namespace ice_ice_baby {
 
@@ -100,7 +100,7 @@ void requireSolids(const Scene& scene) {
   requireOwnNames(scene);
   for (std::size_t k = 0; k < scene.solids.size(); ++k) {
     const Solid& solid = scene.solids[k];
-    const std::string words = solidWords(solid, k);
+    const std::string words = wordsFor("solids", k, solid);
     requireSize(solid, words, scene.fluid.spacing_m);
     requireDensity(scene, solid, words);
     requireWithin(scene.bounds, solid, words);

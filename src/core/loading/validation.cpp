@@ -3,6 +3,7 @@
 #include <set>
 #include <type_traits>
 
+#include "base/item_names.h"
 #include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/scene_keys.h"
@@ -10,7 +11,6 @@
 #include "loading/flow_check.h"
 #include "loading/gauges_check.h"
 #include "loading/heat_regions_check.h"
-#include "loading/item_names.h"
 #include "loading/solids_check.h"
 #include "particles/kernels.h"
 #include "scene/lattice.h"

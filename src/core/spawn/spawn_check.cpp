@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/item_names.h"
 #include "base/point_grid.h"
 #include "flow/outlet.h"
 #include "ice_ice_baby/errors.h"
-#include "solids/solid_words.h"
 #include "spawn/spawn_points.h"
 
 namespace ice_ice_baby {
@@ -85,7 +85,7 @@ class NamedSolids {
       within += solids_.reached(k, x);
       inside += solids_.holds(k, x);
     });
-    const std::string words = solidWords(scene.solids[solid], solid);
+    const std::string words = wordsFor("solids", solid, scene.solids[solid]);
     const std::string cure = "; change position_m of the solid, or " + keys_[k] + ".position_m";
     if (within > 0) refuse(words, within, all, k, cure);
     if (solids_.closed(k) && inside > 0 && inside < all) {
@@ -146,7 +146,7 @@ struct Fillings {
     return water(k) ? scene.spacing_m(scene.blocks[k]) : scene.fluid.spacing_m;
   }
   std::string words(std::size_t k) const {
-    return water(k) ? keyOf(k) : solidWords(scene.solids[solid(k)], solid(k));
+    return water(k) ? keyOf(k) : wordsFor("solids", solid(k), scene.solids[solid(k)]);
   }
   template <class Visit>
   void forEach(std::size_t k, const Visit& visit) const {
