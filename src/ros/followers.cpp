@@ -37,6 +37,7 @@ Followers::Followers(const ros::NodeHandle& node, const NodeParameters& paramete
                      const OwnFrames& own)
     : scene_frame_(parameters.scene_frame),
       settings_(settingsOf(parameters)),
+      wait_s_(parameters.tf_wait_s),
       bounds_(motionBounds(parameters)),
       frames_per_frame_(framesPerFrame(parameters)),
       listening_(node, buffer_, own, [this] {

@@ -25,7 +25,7 @@ namespace ice_ice_baby {
 
 /// Moves parts of the scene as their frames moved, a little later (PosePlayback), within the bounds
 /// of the parameters (MotionLimit). The first pose of a frame places its part. In simulated time a
-/// frame of the simulation waits for the transforms of its stamp, at most 0.5 s of wall time.
+/// frame of the simulation waits for the transforms of its stamp, at most ~tf_wait_s of wall time.
 /// Listens to tf only while there is a follower. A solid that is attached keeps the place relative
 /// to its frame that it has when the first pose of the frame arrives; until then it stays where it
 /// is.
@@ -113,6 +113,7 @@ class Followers {
 
   const std::string scene_frame_;
   const PlaybackSettings settings_;
+  const double wait_s_;  ///< wall time
   const MotionBounds bounds_;
   const double frames_per_frame_;  ///< ROS time of a frame over its simulated time
   bool any_ = false;               ///< simulation's thread, up to clear_at_

@@ -1,18 +1,20 @@
 // Followers: how the poses of their frames arrive.
 #include <ros/console.h>
+#include <ros/init.h>
 
 #include <algorithm>
 #include <chrono>
 
 #include "followers.h"
 #include "geometry.h"
+#include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
 
 namespace {
 
-/// A frame waits this long, of wall time, for the transforms of its stamp.
-constexpr std::chrono::milliseconds kPatience{500};
+/// While it waits for transforms, a frame asks this often whether the node shuts down.
+constexpr std::chrono::milliseconds kPoll{100};
 
 }  // namespace
 
@@ -59,15 +61,22 @@ void Followers::await(std::unique_lock<std::mutex>& lock, double stamp_s) {
     return std::all_of(followers_.begin(), followers_.end(),
                        [&](const Follower& follower) { return ready(follower, stamp_s); });
   };
-  if (arrived_.wait_for(lock, kPatience, all_ready)) return;
+  using Clock = std::chrono::steady_clock;
+  const auto wait =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wait_s_));
+  const auto end = Clock::now() + wait;
+  while (!all_ready() && ros::ok() && Clock::now() < end) {
+    arrived_.wait_until(lock, std::min(end, Clock::now() + kPoll));
+  }
+  if (all_ready()) return;
   for (Follower& follower : followers_) {
     if (ready(follower, stamp_s)) continue;
     follower.late = true;
     report_.waits.count += 1;
     report_.waits.latest =
-        "a frame waited 0.5 s for the pose of " + wordsFor(follower) +
+        "a frame waited " + numberText(wait_s_) + " s for the pose of " + wordsFor(follower) +
         ", and went on without it; the robot has to send a transform for each message on /clock, "
-        "or at a steady rate";
+        "or at a steady rate; raise ~tf_wait_s for a slower robot";
     ROS_WARN("%s", report_.waits.latest.c_str());
   }
 }

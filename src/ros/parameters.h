@@ -37,6 +37,7 @@ struct NodeParameters {
   double solids_rate_hz = 60.0;
   double diagnostic_period = 1.0;
   double tf_delay_s = -1.0;
+  double tf_wait_s = 0.5;
   double tf_max_speed_m_s = 5.0;
   double tf_max_acceleration_m_s2 = 100.0;
   double tf_max_turning_rad_s = 20.0;
@@ -101,6 +102,8 @@ void describe(NodeParameters& p, Visitor&& visit) {
         "how far what follows a tf frame is behind it; negative: as "
         "little as the "
         "transforms allow, at most 0.5");
+  visit("tf_wait_s", p.tf_wait_s, Range{0.0, 10.0},
+        "wall time that a frame waits in simulated time for the transforms of its stamp");
   visit("tf_max_speed_m_s", p.tf_max_speed_m_s, Range{0.01, 1000.0},
         "largest speed of a collider, source or heat region that follows a tf frame or is dragged");
   visit("tf_max_acceleration_m_s2", p.tf_max_acceleration_m_s2, Range{0.1, 1e5},

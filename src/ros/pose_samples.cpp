@@ -91,12 +91,15 @@ double PoseSamples::rate_hz() const {
 }
 
 double PoseSamples::interval_s() const {
-  double largest_s = 0.0;
+  double largest_s = 0.0, second_s = 0.0;
   for (std::size_t k = std::max<std::size_t>(1, firstSince(newest().stamp_s - kRecent_s));
        k < count(); ++k) {
-    largest_s = std::max(largest_s, all_[k].sample.stamp_s - all_[k - 1].sample.stamp_s);
+    if (all_[k].segment != all_[k - 1].segment) continue;
+    const double interval_s = all_[k].sample.stamp_s - all_[k - 1].sample.stamp_s;
+    second_s = std::max(second_s, std::min(interval_s, largest_s));
+    largest_s = std::max(largest_s, interval_s);
   }
-  return largest_s;
+  return second_s > 0.0 ? second_s : largest_s;
 }
 
 double PoseSamples::latency_s() const {

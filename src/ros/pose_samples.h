@@ -41,7 +41,8 @@ class PoseSamples {
 
   /// Samples per second in the last 2 s, Hz; 0 for a single sample.
   double rate_hz() const;
-  /// Largest interval between two stamps in the last 2 s, s; 0 for a single sample.
+  /// Second largest interval between two stamps in the last 2 s, s, so that a single gap does not
+  /// count; of a single interval its length, of a single sample 0. A teleport is no interval.
   double interval_s() const;
   /// Smallest (arrival - stamp) in the last 2 s, s: the delay of the messages and the difference of
   /// the clocks.

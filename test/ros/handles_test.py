@@ -99,13 +99,13 @@ class Handles(unittest.TestCase):
             self.assertEqual({x for _, x in self.container_x(tf)}, {0.0})
         with Latest("/sim/handles/update", InteractiveMarkerUpdate) as updates:
             self.drag("collider container", 1e6)
-            updates.wait(
-                lambda m: any(
+            wait_until(
+                lambda: any(
                     p.name == "collider container" and abs(p.pose.position.x) < 150.0
+                    for m in list(updates.messages)
                     for p in m.poses
                 ),
                 "the marker back at the container",
-                timeout_s=10.0,
             )
         self.assertEqual(self.node.state().non_finite, 0)
 

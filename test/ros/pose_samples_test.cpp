@@ -66,6 +66,22 @@ TEST(PoseSamples, AClockThatJumpsBackDropsWhatWasBefore) {
   }
 }
 
+TEST(PoseSamples, OneGapIsNoIntervalOfTheRobotAndTwoAre) {
+  PoseSamples samples;
+  double stamp_s = 0.0;
+  const auto add = [&](double after_s) {
+    stamp_s += after_s;
+    samples.add({stamp_s, stamp_s, at({stamp_s, 0, 0})});
+  };
+  add(0.0);
+  add(0.3);
+  EXPECT_NEAR(samples.interval_s(), 0.3, 1e-12);
+  for (int k = 0; k < 30; ++k) add(0.02);
+  EXPECT_NEAR(samples.interval_s(), 0.02, 1e-12);
+  add(0.2);
+  EXPECT_NEAR(samples.interval_s(), 0.2, 1e-12);
+}
+
 TEST(PoseSamples, MemoryIsBounded) {
   PosePlayback playback;
   for (int k = 0; k < 100000; ++k) playback.add({1e-5 * k, 1e-5 * k, Posed()});
