@@ -57,14 +57,17 @@ def wait_until(condition, what, timeout_s=20.0):
 
 
 class Latest:
-    """Keeps every message of a topic while used in `with`, which begins once it is connected."""
+    """Keeps every message of a topic while used in `with`, which begins once it is connected to
+    who publishes the topic already."""
 
     def __init__(self, topic, message_type):
         self.messages = []
         self._subscriber = rospy.Subscriber(topic, message_type, self.messages.append)
 
     def __enter__(self):
-        wait_until(self._subscriber.get_num_connections, "a publisher of " + self._subscriber.name)
+        name = self._subscriber.resolved_name
+        if name in (topic for topic, _ in rospy.get_published_topics()):
+            wait_until(self._subscriber.get_num_connections, "a connection to " + name)
         return self
 
     def __exit__(self, *_):
