@@ -188,7 +188,7 @@ void DisplacementProjection<Real>::move(Particles<Real>& particles, Real dt) {
   if (active_.empty()) return;
   const std::size_t padded = grids_.order().size() + kCellPadding;
   for (std::vector<Real>& axis : moved_) axis.resize(padded);
-  value_.resize(padded);
+  value_.assign(padded, Real(0));  // where nothing is pushed
   grids_.forEachCell([&](const CoarseGrid<Real>& grid, CellRange range, std::size_t lowest) {
     std::array<Real, kCellNodes> mu;
     bool pushed = false;

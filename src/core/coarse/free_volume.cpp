@@ -12,22 +12,8 @@ namespace {
 /// Parts of a cell along each axis where a collider is near.
 constexpr int kParts = 4;
 
-/// Part of a cell along an axis that lies within 0 ... `high` cells from the origin of its grid.
-template <class Real>
-std::array<Real, 2> within(int cell, Real high) {
-  return {std::clamp(Real(-cell), Real(0), Real(1)),
-          std::clamp(high - Real(cell), Real(0), Real(1))};
-}
-
 /// The lowest node of a cell has its number.
 Eigen::Vector3i nodeOfCell(std::size_t a) { return {int(a / 9), int(a / 3 % 3), int(a % 3)}; }
-
-template <class Real>
-bool inSolid(const Colliders<Real>& colliders, const Vec3<Real>& point) {
-  return std::any_of(colliders.begin(), colliders.end(), [&](const MovingShape<Real>& collider) {
-    return collider.shape.solid(collider.motion.from.toLocal(point));
-  });
-}
 
 }  // namespace
 
@@ -113,6 +99,58 @@ void FreeVolume<Real>::compute(const CoarseGrids<Real>& grids, const Colliders<R
   }
 }
 
+/// Nodes of a cell that are in the box and not yet known.
+template <class Real>
+std::array<bool, kCellNodes> FreeVolume<Real>::wantedNodes(const CoarseGrid<Real>& grid,
+                                                           const Eigen::Vector3i& cell,
+                                                           const Box& known, const Box& box) const {
+  std::array<bool, kCellNodes> wanted;
+  for (std::size_t a = 0; a < kCellNodes; ++a) {
+    const Eigen::Vector3i node = cell + nodeOfCell(a), at = node + grid.low;
+    wanted[a] = (node.array() >= 0).all() && (node.array() < grid.nodes().array()).all() &&
+                !box.keeps(known, at, at);
+  }
+  return wanted;
+}
+
+/// Finds the colliders whose surface may be within `reach` of a point.
+/// @returns nothing if the point is inside the solid of another one
+template <class Real>
+std::optional<NearCell> FreeVolume<Real>::nearTo(const Colliders<Real>& colliders, const Box& box,
+                                                 const Vec3<Real>& point, Real reach) const {
+  NearCell near;
+  for (std::size_t n = 0; n < box.near.size(); ++n) {
+    const MovingShape<Real>& collider = colliders[box.near[n].collider];
+    const Vec3<Real> local = collider.motion.from.toLocal(point);
+    if (!collider.shape.clear(local, local, reach + collider.shape.particleRadius())) {
+      near.add(n);
+    } else if (collider.shape.solid(local)) {
+      return std::nullopt;
+    }
+  }
+  return near;
+}
+
+/// Whether water of the grid can be at a point.
+template <class Real>
+bool FreeVolume<Real>::isFree(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
+                              const CoarseGrid<Real>& grid, const Box& box, const NearCell& near,
+                              const Vec3<Real>& point) const {
+  const auto inSolid = [&](Index k) {
+    return colliders[k].shape.solid(colliders[k].motion.from.toLocal(point));
+  };
+  const std::size_t region = grids.regionAt(point, colliders);
+  const bool contained = grid.region.collider != kNone;
+  // What is above the rim of an open container is free as well.
+  const bool above = contained && region + 1 == grids.grids().size();
+  if (region != std::size_t(&grid - grids.grids().data()) && !above) return false;
+  if (contained && inSolid(grid.region.collider)) return false;
+  for (std::size_t n = 0; n < box.near.size(); ++n) {
+    if (near.has(n) && inSolid(box.near[n].collider)) return false;
+  }
+  return true;
+}
+
 /// @param cell relative to the box
 template <class Real>
 void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
@@ -120,70 +158,38 @@ void FreeVolume<Real>::addCell(const CoarseGrids<Real>& grids, const Colliders<R
                                const Box& known, Box& box) const {
   const Eigen::Vector3i at = grid.low + cell;
   if (box.keeps(known, at, at + Eigen::Vector3i::Constant(2))) return;
-  std::array<std::array<Real, 2>, 3> range;
+  const std::array<bool, kCellNodes> wanted = wantedNodes(grid, cell, known, box);
+  Vec3<Real> low, high;  // of what is inside the flat walls of a container; else the whole cell
   for (int axis = 0; axis < 3; ++axis) {
-    // Outside of a container with flat walls there is nothing; the world goes on.
-    range[std::size_t(axis)] = grid.region.collider == kNone
-                                   ? std::array<Real, 2>{0, 1}
-                                   : within(at[axis], grid.region.high_c[axis]);
-    if (range[std::size_t(axis)][0] >= range[std::size_t(axis)][1]) return;
+    const Real end = grid.region.high_c[axis];
+    const bool walled = grid.region.collider != kNone;
+    low[axis] = walled ? std::clamp(Real(-at[axis]), Real(0), Real(1)) : Real(0);
+    high[axis] = walled ? std::clamp(end - Real(at[axis]), Real(0), Real(1)) : Real(1);
+    if (low[axis] >= high[axis]) return;
   }
   const Vec3<Real>& size = grid.region.cell_m;
-  const auto toWorld = [&](Real x, Real y, Real z) {
-    return grid.region.frame.toWorld(
-        size.cwiseProduct(at.template cast<Real>() + Vec3<Real>(x, y, z)));
+  const auto toWorld = [&](const Vec3<Real>& place) {
+    return grid.region.frame.toWorld(size.cwiseProduct(at.template cast<Real>() + place));
   };
-  const Vec3<Real> middle =
-      toWorld((range[0][0] + range[0][1]) / 2, (range[1][0] + range[1][1]) / 2,
-              (range[2][0] + range[2][1]) / 2);
-  const Real reach = size.norm() / 2;
-  bool split = false;
-  for (std::size_t k = 0; k < colliders.count() && !split; ++k) {
-    if (Index(k) == grid.region.collider) continue;
-    const Pose<Real>& pose = colliders[k].motion.from;
-    const Vec3<Real> local = pose.toLocal(middle);
-    split = !colliders[k].shape.clear(local, local, reach + colliders[k].shape.particleRadius());
-  }
-  const std::size_t g = std::size_t(&grid - grids.grids().data());
-  // What is above the rim of an open container is free as well.
-  const auto reachable = [&](const Vec3<Real>& point) {
-    const std::size_t region = grids.regionAt(point, colliders);
-    return region == g || (grid.region.collider != kNone && region + 1 == grids.grids().size());
-  };
-  if (!split && !reachable(middle)) return;
-  const int parts = split ? kParts : 1;
-  const auto part = [&](std::size_t axis, int k) {
-    const auto [from, to] = range[axis];
-    return std::array<Real, 2>{from + (to - from) * Real(k) / Real(parts),
-                               from + (to - from) * Real(k + 1) / Real(parts)};
-  };
-  // Nodes of the cell that are in the box and not yet known.
-  std::array<bool, kCellNodes> wanted;
-  for (std::size_t a = 0; a < kCellNodes; ++a) {
-    const Eigen::Vector3i node = cell + nodeOfCell(a);
-    wanted[a] = (node.array() >= 0).all() && (node.array() < grid.nodes().array()).all() &&
-                !box.keeps(known, node + grid.low, node + grid.low);
-  }
+  const Vec3<Real> middle = (low + high) / 2;
+  const std::optional<NearCell> near = nearTo(colliders, box, toWorld(middle), size.norm() / 2);
+  if (!near) return;
+  const int parts = near->any() ? kParts : 1;
+  const Vec3<Real> part = (high - low) / Real(parts);
   const Real particles = Real(kCell_d * kCell_d * kCell_d) * size.prod() /
                          (grids.cell_m() * grids.cell_m() * grids.cell_m());
-  for (int x = 0; x < parts; ++x) {
-    for (int y = 0; y < parts; ++y) {
-      for (int z = 0; z < parts; ++z) {
-        const auto px = part(0, x), py = part(1, y), pz = part(2, z);
-        if (split) {
-          const Vec3<Real> point =
-              toWorld((px[0] + px[1]) / 2, (py[0] + py[1]) / 2, (pz[0] + pz[1]) / 2);
-          if (!reachable(point) || inSolid(colliders, point)) continue;
-        }
-        const std::array<std::array<Real, 3>, 3> along{splineIntegrals(px[0], px[1]),
-                                                       splineIntegrals(py[0], py[1]),
-                                                       splineIntegrals(pz[0], pz[1])};
-        for (std::size_t a = 0; a < kCellNodes; ++a) {
-          if (!wanted[a]) continue;
-          box.volume[box.place(cell + nodeOfCell(a))] +=
-              particles * along[0][a / 9] * along[1][a / 3 % 3] * along[2][a % 3];
-        }
-      }
+  for (int p = 0; p < parts * parts * parts; ++p) {
+    const Eigen::Vector3i number(p / (parts * parts), p / parts % parts, p % parts);
+    const Vec3<Real> from = low + part.cwiseProduct(number.template cast<Real>());
+    const Vec3<Real> to = from + part;
+    if (!isFree(grids, colliders, grid, box, *near, toWorld((from + to) / 2))) continue;
+    const std::array<std::array<Real, 3>, 3> along{splineIntegrals(from.x(), to.x()),
+                                                   splineIntegrals(from.y(), to.y()),
+                                                   splineIntegrals(from.z(), to.z())};
+    for (std::size_t a = 0; a < kCellNodes; ++a) {
+      if (!wanted[a]) continue;
+      box.volume[box.place(cell + nodeOfCell(a))] +=
+          particles * along[0][a / 9] * along[1][a / 3 % 3] * along[2][a % 3];
     }
   }
 }

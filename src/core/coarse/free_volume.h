@@ -2,11 +2,30 @@
 // the space outside all solids, in particle volumes.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "coarse/coarse_grids.h"
 
 namespace ice_ice_baby {
+
+/// Some of the colliders near a grid.
+class NearCell {
+ public:
+  void add(std::size_t k) {
+    any_ = true;
+    if (k < 64) first_ |= std::uint64_t(1) << k;
+  }
+  bool any() const { return any_; }
+  /// Those beyond the first 64 always count as near.
+  bool has(std::size_t k) const { return k >= 64 || (first_ >> k & 1) != 0; }
+
+ private:
+  bool any_ = false;
+  std::uint64_t first_ = 0;
+};
 
 template <class Real>
 class FreeVolume {
@@ -55,6 +74,14 @@ class FreeVolume {
   void findNear(const CoarseGrid<Real>& grid, const Colliders<Real>& colliders);
   void compute(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
                const CoarseGrid<Real>& grid, const Box& known, Box& box) const;
+  std::array<bool, kCellNodes> wantedNodes(const CoarseGrid<Real>& grid,
+                                           const Eigen::Vector3i& cell, const Box& known,
+                                           const Box& box) const;
+  std::optional<NearCell> nearTo(const Colliders<Real>& colliders, const Box& box,
+                                 const Vec3<Real>& point, Real reach) const;
+  bool isFree(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
+              const CoarseGrid<Real>& grid, const Box& box, const NearCell& near,
+              const Vec3<Real>& point) const;
   void addCell(const CoarseGrids<Real>& grids, const Colliders<Real>& colliders,
                const CoarseGrid<Real>& grid, const Eigen::Vector3i& cell, const Box& known,
                Box& box) const;

@@ -61,7 +61,8 @@ void DisplacementProjection<Real>::levelBodies(Particles<Real>& particles,
   const std::vector<Index>& order = grids_.order();
   parallelFor(order.size(), [&](std::size_t k) {
     const Index i = order[k];
-    if (multiplier_[i] < 0 || bodies.memberAt(i) == kNone) return;
+    const bool pushed = value_[k] != 0;
+    if (!pushed || multiplier_[i] < 0 || bodies.memberAt(i) == kNone) return;
     particles.predicted.add(i, -pushOn(k));
   });
 }

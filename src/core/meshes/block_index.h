@@ -45,14 +45,21 @@ class BlockIndex {
     }
   }
 
+  /// Blocks along each axis, in use or not.
+  const Node& blocks() const { return blocks_; }
+  /// Place of a block among all of them, which are in the order of x, then y, then z.
+  std::size_t placeAmongAll(const Node& block) const {
+    return std::size_t(block.x()) +
+           std::size_t(blocks_.x()) *
+               (std::size_t(block.y()) + std::size_t(blocks_.y()) * std::size_t(block.z()));
+  }
+  /// Whether the lattice has this node.
+  bool has(const Node& node) const {
+    return (node.array() >= 0).all() && (node.array() < kBlock * blocks_.array()).all();
+  }
   /// Number of the block that holds a node, or kAbsent.
   Index blockOf(const Node& node) const {
-    if ((node.array() < 0).any()) return kAbsent;
-    const Node block = node / kBlock;
-    if ((block.array() >= blocks_.array()).any()) return kAbsent;
-    return number_[std::size_t(block.x()) +
-                   std::size_t(blocks_.x()) * (std::size_t(block.y()) +
-                                               std::size_t(blocks_.y()) * std::size_t(block.z()))];
+    return has(node) ? number_[placeAmongAll(node / kBlock)] : kAbsent;
   }
   /// Place of a node within its block.
   static std::size_t within(const Node& node) {

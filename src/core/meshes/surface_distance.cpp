@@ -14,6 +14,8 @@ SurfaceDistance::SurfaceDistance(const SurfaceTree& tree, bool closed, double ed
   blocks_.use([&](const Vec3d& centre, double half_diagonal) {
     return tree.closest(centre, band_m + half_diagonal + slack_m_).found();
   });
+  inside_.assign(std::size_t(blocks_.blocks().prod()), 0);
+  if (closed) findSides(tree);
   distances_.assign(blocks_.inUse() * BlockIndex::kNodes, static_cast<float>(band_m + slack_m_));
   closest_.assign(distances_.size(), kNone);
   parallelFor(
@@ -39,6 +41,30 @@ SurfaceDistance::SurfaceDistance(const SurfaceTree& tree, bool closed, double ed
         }
       },
       1);
+}
+
+void SurfaceDistance::findSides(const SurfaceTree& tree) {
+  const BlockIndex::Node count = blocks_.blocks();
+  for (int z = 0; z < count.z(); ++z) {
+    for (int y = 0; y < count.y(); ++y) {
+      for (int x = 0; x < count.x(); ++x) {
+        const BlockIndex::Node block(x, y, z);
+        const bool used = blocks_.blockOf(BlockIndex::kBlock * block) != BlockIndex::kAbsent;
+        if (!used) inside_[blocks_.placeAmongAll(block)] = inside(tree, block);
+      }
+    }
+  }
+}
+
+/// No surface lies between two blocks next to each other that are not in use.
+bool SurfaceDistance::inside(const SurfaceTree& tree, const BlockIndex::Node& block) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    const BlockIndex::Node before = block - BlockIndex::Node::Unit(axis);
+    if (before[axis] < 0) continue;
+    const bool used = blocks_.blockOf(BlockIndex::kBlock * before) != BlockIndex::kAbsent;
+    if (!used) return inside_[blocks_.placeAmongAll(before)] != 0;
+  }
+  return tree.encloses(blocks_.place(BlockIndex::kBlock * block));
 }
 
 }  // namespace ice_ice_baby

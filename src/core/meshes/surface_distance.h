@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "meshes/block_index.h"
@@ -30,7 +31,9 @@ class SurfaceDistance {
   int inside(const Vec3d& point) const {
     const BlockIndex::Node node = blocks_.nearest(point);
     const Index block = blocks_.blockOf(node);
-    if (block == BlockIndex::kAbsent) return -1;
+    if (block == BlockIndex::kAbsent) {
+      return blocks_.has(node) && inside_[blocks_.placeAmongAll(node / BlockIndex::kBlock)];
+    }
     const double distance =
         distances_[std::size_t(block) * BlockIndex::kNodes + BlockIndex::within(node)];
     return std::abs(distance) < slack_m_ ? -1 : int(distance < 0);
@@ -45,15 +48,19 @@ class SurfaceDistance {
 
   std::size_t bytes() const {
     return blocks_.bytes() + distances_.capacity() * sizeof(float) +
-           closest_.capacity() * sizeof(Index);
+           closest_.capacity() * sizeof(Index) + inside_.capacity();
   }
 
  private:
+  void findSides(const SurfaceTree& tree);
+  bool inside(const SurfaceTree& tree, const BlockIndex::Node& block) const;
+
   BlockIndex blocks_;
   double band_m_;
   double slack_m_;  ///< distance of the corners of a cell from its node, and rounding
   std::vector<float> distances_;
   std::vector<Index> closest_;
+  std::vector<std::uint8_t> inside_;  ///< (all blocks) 1: not in use and inside the solid
 };
 
 }  // namespace ice_ice_baby
