@@ -58,7 +58,12 @@ std::string chosenFolder() {
 void requireOrdinary(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw InvalidInput("no scene file " + shortened(path));
+  if (!fs::exists(status)) {
+    const bool relative = fs::path(path).is_relative();
+    const std::string folder = fs::current_path(error).string();
+    throw InvalidInput("no scene file " + shortened(path) +
+                       (relative ? " in the folder " + shortened(folder) : ""));
+  }
   if (fs::is_directory(status)) refuse(path, "is a folder; name a .yaml file in it");
   if (!fs::is_regular_file(status)) refuse(path, "is a device or a pipe; name an ordinary file");
 }

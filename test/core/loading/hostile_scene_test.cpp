@@ -172,6 +172,7 @@ TEST_F(HostileFolder, PipesDevicesAndFoldersAreRefusedUnread) {
     expectRefused(huge, {"larger than 1 MiB"});
   }
   expectRefused(folder_ / ("a\nb" + std::string(5000, 'x') + ".yaml"), {"no scene file"});
+  expectRefused("nowhere.yaml", {"no scene file nowhere.yaml in the folder "});
 }
 
 TEST_F(HostileFolder, ANameNeverLeadsOutOfTheSceneFolder) {
