@@ -161,6 +161,28 @@ TEST(SurfaceTest, IsAtLeastAsFarAsItSays) {
   EXPECT_GT(near, 5000);
 }
 
+/// Far from the surface the tables have no distances, and know the side of whole blocks.
+TEST(SurfaceTest, KnowsItsInsideFarFromTheSurface) {
+  Random random(7);
+  const double radius = 0.02;
+  TriangleMesh two = cylinderMesh(0.2, 0.5);
+  const TriangleMesh box = test::boxMesh({0.4, -0.2, -0.2}, {0.8, 0.2, 0.2});
+  const auto first = static_cast<Index>(two.vertices.size());
+  two.vertices.insert(two.vertices.end(), box.vertices.begin(), box.vertices.end());
+  for (const auto& t : box.triangles)
+    two.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  const Surface surface(welded(two), radius);
+  int inside = 0, outside = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Vec3d x = random.inBox({-0.3, -0.3, -0.4}, {1.0, 0.3, 0.4});
+    if (surface.atLeast(x) < 4 * radius) continue;
+    ASSERT_EQ(surface.encloses(x), surface.tree().encloses(x));
+    ++(surface.encloses(x) ? inside : outside);
+  }
+  EXPECT_GT(inside, 500);
+  EXPECT_GT(outside, 2000);
+}
+
 TEST(SurfaceTest, MeshesMadeInCodeAreCheckedToo) {
   const auto refusal = [](const std::function<void(TriangleMesh&)>& change) {
     Scene scene;
