@@ -68,7 +68,7 @@ void Followers::await(std::unique_lock<std::mutex>& lock, double stamp_s) {
   while (!all_ready() && ros::ok() && Clock::now() < end) {
     arrived_.wait_until(lock, std::min(end, Clock::now() + kPoll));
   }
-  if (all_ready()) return;
+  if (all_ready() || !ros::ok()) return;
   for (Follower& follower : followers_) {
     if (ready(follower, stamp_s)) continue;
     follower.late = true;
