@@ -127,7 +127,7 @@ std::vector<Followers::Target> Followers::play(double stamp_s) {
 void Followers::place(Simulation& simulation, const std::vector<Target>& targets,
                       std::vector<std::string>& lost) {
   if (targets.empty()) return;
-  std::vector<Placement> placements;
+  std::vector<SteeredPlacement> placements;
   for (const Target& target : targets) placements.push_back({target.follower->what, target.pose});
   std::vector<double> distances_m;
   for (const auto& [what, pose] : placements) {

@@ -51,7 +51,7 @@ void moveSteered(Simulation& simulation, const Steered& what, const Posed& pose)
   simulation.moveCollider(what.name, pose);
 }
 
-void placeSteered(Simulation& simulation, const std::vector<Placement>& placements) {
+void placeSteered(Simulation& simulation, const std::vector<SteeredPlacement>& placements) {
   std::vector<ColliderPlacement> colliders;
   for (const auto& [what, pose] : placements) {
     if (what.kind == SteeredKind::kCollider) colliders.push_back({what.name, pose});

@@ -28,11 +28,11 @@ std::vector<Steered> everySteered(const Scene& scene);
 Posed poseNow(const Simulation& simulation, const Steered& what);
 /// Moves it to a pose over the next frame; a solid is held at the pose.
 void moveSteered(Simulation& simulation, const Steered& what, const Posed& pose);
-struct Placement {
+struct SteeredPlacement {
   Steered what;
   Posed pose;
 };
 /// Places all at once, without motion: colliders together, as they may change places.
-void placeSteered(Simulation& simulation, const std::vector<Placement>& placements);
+void placeSteered(Simulation& simulation, const std::vector<SteeredPlacement>& placements);
 
 }  // namespace ice_ice_baby

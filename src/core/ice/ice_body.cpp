@@ -4,7 +4,7 @@
 
 namespace ice_ice_baby {
 
-Eigen::Quaterniond rotationBy(const Vec3d& angle_rad) {
+Eigen::Quaterniond quaternionBy(const Vec3d& angle_rad) {
   const double angle = angle_rad.norm();
   const double half = angle / 2;
   // Series of sin(a) / a, as the division loses all precision here.
@@ -22,7 +22,7 @@ void IceBody::push(const Vec3d& by_m, const Vec3d& rotation_rad, double dt_s) {
   velocity_m_s += by_m / dt_s;
   angular_momentum +=
       next.rotation_matrix * (inertia * (next.rotation_matrix.transpose() * rotation_rad)) / dt_s;
-  moveTo({next.centre_m + by_m, rotationBy(rotation_rad) * next.rotation});
+  moveTo({next.centre_m + by_m, quaternionBy(rotation_rad) * next.rotation});
 }
 
 Placement IceBody::flight(double dt_s) const {
@@ -30,11 +30,11 @@ Placement IceBody::flight(double dt_s) const {
   constexpr int kPasses = 3;
   Vec3d mean_angular_velocity = angularVelocityAt(pose.rotation_matrix);
   for (int pass = 0; pass < kPasses; ++pass) {
-    const Eigen::Quaterniond half = rotationBy(mean_angular_velocity * (dt_s / 2)) * pose.rotation;
+    const Eigen::Quaterniond half = quaternionBy(mean_angular_velocity * (dt_s / 2)) * pose.rotation;
     mean_angular_velocity = angularVelocityAt(half.toRotationMatrix());
   }
   return {pose.centre_m + dt_s * velocity_m_s,
-          rotationBy(dt_s * mean_angular_velocity) * pose.rotation};
+          quaternionBy(dt_s * mean_angular_velocity) * pose.rotation};
 }
 
 void IceBody::stop() {

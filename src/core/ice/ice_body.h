@@ -7,7 +7,7 @@
 namespace ice_ice_baby {
 
 /// Rotation by |angle| about its direction: the exponential map.
-Eigen::Quaterniond rotationBy(const Vec3d& angle_rad);
+Eigen::Quaterniond quaternionBy(const Vec3d& angle_rad);
 
 /// Where a body is. `rotation_matrix` is the matrix of `rotation`.
 struct Placement {

@@ -36,7 +36,7 @@ TEST(RotationByTest, IsTheExponentialMapAtEveryAngle) {
   for (const double angle : {0.0, 1e-12, 1e-7, 1e-6, 1e-3, 1.0, 3.0, 40.0}) {
     const Vec3d axis = Vec3d(1, -2, 0.5).normalized();
     const Mat3<double> expected = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-    EXPECT_LT((rotationBy(angle * axis).toRotationMatrix() - expected).norm(), 1e-14) << angle;
+    EXPECT_LT((quaternionBy(angle * axis).toRotationMatrix() - expected).norm(), 1e-14) << angle;
   }
 }
 
