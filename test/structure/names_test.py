@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""No two types of the project have one name: a program that loads both would run the code of one with the data of the
-other."""
+"""No two types of the project have one name: a program that loads both would run the code of one
+with the data of the other."""
 import collections
 import pathlib
 import re

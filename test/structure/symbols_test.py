@@ -8,7 +8,7 @@ import sys
 
 
 def symbols_of(library):
-    """Mangled names of what the library defines in the namespace of the project, by their kind in nm."""
+    """Mangled names of what the library defines in our namespace, and their kinds in nm."""
     lines = subprocess.run(
         ["nm", "-D", "--defined-only", library], capture_output=True, text=True, check=True
     ).stdout.splitlines()
