@@ -30,7 +30,8 @@ Placement IceBody::flight(double dt_s) const {
   constexpr int kPasses = 3;
   Vec3d mean_angular_velocity = angularVelocityAt(pose.rotation_matrix);
   for (int pass = 0; pass < kPasses; ++pass) {
-    const Eigen::Quaterniond half = quaternionBy(mean_angular_velocity * (dt_s / 2)) * pose.rotation;
+    const Eigen::Quaterniond half =
+        quaternionBy(mean_angular_velocity * (dt_s / 2)) * pose.rotation;
     mean_angular_velocity = angularVelocityAt(half.toRotationMatrix());
   }
   return {pose.centre_m + dt_s * velocity_m_s,
