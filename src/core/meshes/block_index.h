@@ -53,6 +53,8 @@ class BlockIndex {
            std::size_t(blocks_.x()) *
                (std::size_t(block.y()) + std::size_t(blocks_.y()) * std::size_t(block.z()));
   }
+  /// Whether a block is in use.
+  bool uses(const Node& block) const { return number_[placeAmongAll(block)] != kAbsent; }
   /// Whether the lattice has this node.
   bool has(const Node& node) const {
     return (node.array() >= 0).all() && (node.array() < kBlock * blocks_.array()).all();

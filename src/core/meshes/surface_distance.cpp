@@ -49,8 +49,8 @@ void SurfaceDistance::findSides(const SurfaceTree& tree) {
     for (int y = 0; y < count.y(); ++y) {
       for (int x = 0; x < count.x(); ++x) {
         const BlockIndex::Node block(x, y, z);
-        const bool used = blocks_.blockOf(BlockIndex::kBlock * block) != BlockIndex::kAbsent;
-        if (!used) inside_[blocks_.placeAmongAll(block)] = inside(tree, block);
+        if (blocks_.uses(block)) continue;
+        inside_[blocks_.placeAmongAll(block)] = inside(tree, block);
       }
     }
   }
@@ -60,9 +60,8 @@ void SurfaceDistance::findSides(const SurfaceTree& tree) {
 bool SurfaceDistance::inside(const SurfaceTree& tree, const BlockIndex::Node& block) const {
   for (int axis = 0; axis < 3; ++axis) {
     const BlockIndex::Node before = block - BlockIndex::Node::Unit(axis);
-    if (before[axis] < 0) continue;
-    const bool used = blocks_.blockOf(BlockIndex::kBlock * before) != BlockIndex::kAbsent;
-    if (!used) return inside_[blocks_.placeAmongAll(before)] != 0;
+    if (before[axis] < 0 || blocks_.uses(before)) continue;
+    return inside_[blocks_.placeAmongAll(before)] != 0;
   }
   return tree.encloses(blocks_.place(BlockIndex::kBlock * block));
 }
