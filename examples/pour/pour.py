@@ -11,9 +11,8 @@ import time
 import rospy
 import tf2_ros
 from arm import Arm
-from geometry_msgs.msg import WrenchStamped
-from ice_ice_baby.msg import Vessels
 from ice_ice_baby.srv import GetState, SetSource
+from senses import Senses
 from std_srvs.srv import Trigger
 
 SIMULATION = "/ice_ice_baby/"
@@ -33,33 +32,19 @@ def call(service, kind, **request):
 
 class Pourer:
     def __init__(self):
-        self.arm, self.sense = Arm("/arm/command"), rospy.get_param("~sense", "vessels")
-        self.vessels, self.weight_g = {}, {"cup": 0.0, "glass": 0.0}
-        rospy.Subscriber(SIMULATION + "vessels", Vessels, self.see, tcp_nodelay=True)
-        for name in self.weight_g:
-            rospy.Subscriber(SIMULATION + "wrenches/" + name, WrenchStamped, self.feel, name)
+        self.arm, self.senses = Arm("/arm/command"), Senses(SIMULATION, ("cup", "glass"))
+        self.sense = rospy.get_param("~sense", "vessels")
         self.tf = tf2_ros.Buffer()
         self.listener = tf2_ros.TransformListener(self.tf)
 
-    def see(self, message):
-        self.vessels = {vessel.name: vessel for vessel in message.vessels}
-
-    def feel(self, message, name):
-        f = message.wrench.force
-        newest_g = math.sqrt(f.x * f.x + f.y * f.y + f.z * f.z) / 0.00981
-        self.weight_g[name] += 0.1 * (newest_g - self.weight_g[name])  # mean over ten messages
-
-    def ml(self, name):
-        """As liquid water."""
-        return 1e6 * (self.vessels[name].water_m3 + 0.917 * self.vessels[name].ice_m3)
-
     def content_ml(self):
-        return self.ml("cup") if self.sense == "vessels" else self.weight_g["cup"]
+        vessels = self.sense == "vessels"
+        return self.senses.ml("cup") if vessels else self.senses.weight_g["cup"]
 
     def fill(self, fill_ml):
         self.arm.move(UNDER_TAP_M, 0.0, 2.0)
         call("set_source", SetSource, name="tap", open=True)
-        while self.ml("cup") < fill_ml:
+        while self.senses.ml("cup") < fill_ml:
             rospy.sleep(1.0 / RATE_HZ)
         call("set_source", SetSource, name="tap", open=False)
         rospy.sleep(1.0)
@@ -106,6 +91,7 @@ def main():
     if not 0 < pour_ml + 40 <= fill_ml <= 400:  # fuller, it would spill; emptier, tilt too far
         sys.exit("~fill_ml is %g; it must be from ~pour_ml + 40 to 400" % fill_ml)
     pourer = Pourer()
+    senses = pourer.senses
     if pourer.sense not in ("vessels", "wrist"):
         sys.exit("~sense is %s; it must be vessels or wrist" % pourer.sense)
     while not (pourer.arm.listens() or rospy.is_shutdown()):
@@ -113,20 +99,19 @@ def main():
     call("set_source", SetSource, name="tap", open=False)
     begin_s = time.monotonic()
     call("resume", Trigger)
-    while not pourer.vessels:
+    while not senses.vessels:
         rospy.sleep(1.0 / RATE_HZ)
     pourer.fill(fill_ml)
     pourer.carry()
-    full_g = pourer.weight_g["cup"]
+    full_g = senses.weight_g["cup"]
     pourer.pour(pour_ml)
     state = call("get_state", GetState).state
-    inside = sum(vessel.particles for vessel in pourer.vessels.values())
     result = {
-        "poured_ml": pourer.ml("glass"),
-        "error_percent": 100 * (pourer.ml("glass") / pour_ml - 1),
-        "spilled_particles": state.particles + state.spilled - inside,
-        "wrist_g": pourer.weight_g["cup"] - full_g,
-        "scale_g": pourer.weight_g["glass"],
+        "poured_ml": senses.ml("glass"),
+        "error_percent": 100 * (senses.ml("glass") / pour_ml - 1),
+        "spilled_particles": state.particles + state.spilled - senses.particles(),
+        "wrist_g": senses.weight_g["cup"] - full_g,
+        "scale_g": senses.weight_g["glass"],
         "simulated_s": state.time_s,
         "real_time_factor": state.time_s / (time.monotonic() - begin_s),
     }

@@ -122,6 +122,9 @@ class Simulation {
 
   /// Floating solids that are in the scene now, in the order of the scene.
   virtual std::vector<SolidState> solids() const = 0;
+  /// Pose of a floating solid now.
+  /// @throws InvalidInput for an unknown name and for a solid that has left the bounds of the scene
+  virtual Posed solidPose(const std::string& name) const = 0;
 
   /// Moves a solid to a pose over the next frame, as a gripper does: nothing holds it up, it pushes
   /// water, ice and other solids aside, and passes through colliders. It moves no faster than

@@ -1,9 +1,6 @@
 #include "steered.h"
 
-#include <algorithm>
-
 #include "ice_ice_baby/each_collider.h"
-#include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
 
@@ -11,14 +8,6 @@ namespace {
 
 constexpr const char* kNouns[] = {"collider", "source", "heat region",
                                   "solid"};  // of each SteeredKind
-
-Posed poseOfSolid(const Simulation& simulation, const std::string& name) {
-  const std::vector<SolidState> states = simulation.solids();
-  const auto found = std::find_if(states.begin(), states.end(),
-                                  [&](const SolidState& state) { return state.name == name; });
-  if (found != states.end()) return found->pose;
-  throw InvalidInput("solid " + name + " has left the bounds of the scene; reset the scene");
-}
 
 }  // namespace
 
@@ -40,7 +29,7 @@ std::vector<Steered> everySteered(const Scene& scene) {
 Posed poseNow(const Simulation& simulation, const Steered& what) {
   if (what.kind == SteeredKind::kSource) return simulation.sourcePose(what.name);
   if (what.kind == SteeredKind::kHeatRegion) return simulation.heatRegionPose(what.name);
-  if (what.kind == SteeredKind::kSolid) return poseOfSolid(simulation, what.name);
+  if (what.kind == SteeredKind::kSolid) return simulation.solidPose(what.name);
   return simulation.colliderPose(what.name);
 }
 

@@ -27,6 +27,9 @@ drains:
   - {name: hole, min_m: [-0.1, -0.1, 0], max_m: [0, 0.1, 0.1], rate_l_min: 900}
 heat_regions:
   - {name: torch, power_w: 500}
+solids:
+  - {name: raft, size_m: [0.15, 0.15, 0.1], position_m: [-0.4, 0, 0.3], density_kg_m3: 500}
+  - {name: ball, shape: sphere, radius_m: 0.06, position_m: [-0.4, 0.4, 0.3], density_kg_m3: 3000}
 )";
 
 constexpr int kMaxFrames = 5;
@@ -107,6 +110,11 @@ void run(Simulation& simulation, const std::string& line) {
   } else if (verb == "aim") {
     const std::string region = words.text();
     simulation.moveHeatRegion(region, readPose(words));
+  } else if (verb == "hold") {
+    const std::string solid = words.text();
+    simulation.holdSolid(solid, readPose(words));
+  } else if (verb == "release") {
+    simulation.releaseSolid(words.text());
   } else if (verb == "frame") {
     simulation.advanceFrame();
   }

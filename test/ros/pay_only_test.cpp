@@ -36,6 +36,7 @@ class Watched final : public Simulation {
   void moveHeatRegion(const std::string& name, const Posed& pose) override {
     real_->moveHeatRegion(name, pose);
   }
+  Posed solidPose(const std::string& name) const override { return real_->solidPose(name); }
   Posed heatRegionPose(const std::string& name) const override {
     return real_->heatRegionPose(name);
   }

@@ -12,9 +12,9 @@ import yaml
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 from iib.common.processes import free_port
 from iib.ros import master
-from iib.ros.program import find_simulation_node
+from iib.ros.program import find_program
 
-SIMULATION_NODE = find_simulation_node()
+SIMULATION_NODE = find_program("simulation_node")
 SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scenes")
 
 

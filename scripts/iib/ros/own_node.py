@@ -9,7 +9,7 @@ import rospy
 from iib.common.processes import end, free_port
 from iib.ros import master
 from iib.ros.node import Node, process_of
-from iib.ros.program import find_simulation_node
+from iib.ros.program import find_program
 
 
 class OwnNode:
@@ -27,6 +27,14 @@ class OwnNode:
         self.log = os.path.join(self.folder.name, "log")
 
     def __enter__(self):
+        try:
+            self._begin()
+        except BaseException:
+            self.__exit__()
+            raise
+        return self
+
+    def _begin(self):
         port = free_port()
         os.environ.pop("ROS_HOSTNAME", None)
         os.environ.update(master.environment(port), ROS_LOG_DIR=self.folder.name)
@@ -34,7 +42,6 @@ class OwnNode:
         master.await_answer(port)
         rospy.init_node("load", disable_signals=True)
         self._start_node(self.parameters)
-        return self
 
     def __exit__(self, *_):
         while self.children:
@@ -58,7 +65,7 @@ class OwnNode:
     def _start_node(self, parameters):
         for name, value in parameters.items():
             rospy.set_param(self.name + "/" + name, value)
-        self._start(find_simulation_node(), "__name:=" + self.name[1:])
+        self._start(find_program("simulation_node"), "__name:=" + self.name[1:])
         self.node = Node(self.name, self.start_s)
         self.pid = process_of(self.name)
 

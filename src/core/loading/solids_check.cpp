@@ -20,7 +20,7 @@ constexpr Range kRelativeDensity{0.1, 20.0};
 /// other side, in spacings.
 constexpr double kSmallestRadius_d = 1.0, kSmallestCup_d = 2.0, kSmallestSide_d = 1.0;
 
-void requireOwnNames(const Scene& scene) {
+void requireSolidNames(const Scene& scene) {
   std::set<std::string> taken;
   forEachCollider(scene, [&](const Collider& collider) { taken.insert(collider.name); });
   for (const Gauge& gauge : scene.gauges) taken.insert(gauge.name);
@@ -97,7 +97,7 @@ void requireSolids(const Scene& scene) {
     throw InvalidInput("solids has " + std::to_string(scene.solids.size()) + " entries; at most " +
                        std::to_string(kMaxSolids) + " are allowed");
   }
-  requireOwnNames(scene);
+  requireSolidNames(scene);
   for (std::size_t k = 0; k < scene.solids.size(); ++k) {
     const Solid& solid = scene.solids[k];
     const std::string words = wordsFor("solids", k, solid);

@@ -90,7 +90,7 @@ void requireThermal(const Scene& scene) {
   }
 }
 
-void requireNames(const Scene& scene) {
+void requireColliderNames(const Scene& scene) {
   if (scene.name.find('\n') != std::string::npos) {
     throw InvalidInput("name = " + shortened(scene.name) + " must be one line");
   }
@@ -170,7 +170,7 @@ void validate(const Scene& scene) {
         " must be below temperature.onset_c = " + numberText(scene.temperature.onset_c));
   }
   requireThermal(scene);
-  requireNames(scene);
+  requireColliderNames(scene);
   requireGauges(scene);
   requireSweeps(scene);
   requireOneGoal(scene);

@@ -12,8 +12,8 @@ namespace ice_ice_baby {
 namespace {
 
 /// Nodes of the distances and their reach, in particle radii. Nothing asks for more than the
-/// support radius, in most scenes four radii.
-constexpr double kEdge_r = 0.5, kBand_r = 4.5;
+/// support radius, in most scenes four radii. Contact asks for the closest point within one.
+constexpr double kEdge_r = 0.5, kBand_r = 4.5, kNear_r = 1.0;
 
 /// Memory of surfaces that may be kept after their scene.
 constexpr std::size_t kKept_bytes = 256 << 20;
@@ -73,13 +73,13 @@ Surface::Surface(TriangleMesh mesh, double radius_m)
   for (const Vec3d& vertex : mesh_.vertices) reach_m_ = std::max(reach_m_, vertex.norm());
   if (radius_m == 0.0) return;
   requireSmall(tree_, radius_m);
-  distance_.emplace(tree_, topology_.closed(), kEdge_r * radius_m, kBand_r * radius_m);
+  distance_.emplace(tree_, topology_.closed(), kEdge_r * radius_m, kBand_r * radius_m,
+                    kNear_r * radius_m);
 }
 
 bool Surface::encloses(const Vec3d& point) const {
   if (!topology_.closed()) return false;
-  const int known = distance_ ? distance_->inside(point) : -1;
-  return known >= 0 ? known == 1 : tree_.encloses(point);
+  return distance_ ? distance_->encloses(tree_, point) : tree_.encloses(point);
 }
 
 double Surface::flatness(const SurfacePoint& near, const Vec3d& x) const {

@@ -38,7 +38,7 @@ class Surface : public std::enable_shared_from_this<Surface> {
   double flatness(const SurfacePoint& near, const Vec3d& x) const;
 
   SurfacePoint closest(const Vec3d& point, double reach_m) const {
-    return tree_.closest(point, reach_m, distance_ ? distance_->hint(point) : kNone);
+    return distance_ ? distance_->closest(tree_, point, reach_m) : tree_.closest(point, reach_m);
   }
   /// What the distance of a point from the surface is at least, m.
   template <class Real>

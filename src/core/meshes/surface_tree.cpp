@@ -9,21 +9,43 @@ namespace ice_ice_baby {
 namespace {
 
 constexpr Index kLeafSize = 4;
-/// Splitting at the median, a tree over all possible triangles is at most this deep.
-constexpr std::size_t kMaxDepth = 64;
-
 /// Three directions along which no sides of made things lie.
 const std::array<Vec3d, 3> kOblique{Vec3d(0.5377, 0.6178, 0.5736).normalized(),
                                     Vec3d(-0.6313, 0.3847, 0.6733).normalized(),
                                     Vec3d(0.2909, -0.7673, 0.5714).normalized()};
 
-/// Nodes still to visit.
-struct Stack {
-  std::array<Index, kMaxDepth> nodes;
-  std::size_t count = 0;
+/// Factor on distances that bound others.
+constexpr double kRounding = 1e-12;
 
-  void push(Index node) { nodes[count++] = node; }
-  Index pop() { return nodes[--count]; }
+/// A segment that meets a triangle this close to an edge, in sizes of the triangle, may meet its
+/// neighbour too.
+constexpr double kBeside = 1e-6;
+
+/// The closest point of the triangles considered so far; of equally close ones, that of the first.
+class ClosestSoFar {
+ public:
+  ClosestSoFar(const std::vector<Triangle>& triangles, const Vec3d& x, double reach_m)
+      : triangles_(triangles), x_(x), square_(reach_m * reach_m) {}
+
+  void consider(Index k) {
+    const TrianglePoint near = closestPoint(triangles_[k], x_);
+    const double square = (near.point - x_).squaredNorm();
+    if (square > square_ || (square == square_ && best_.triangle < k)) return;
+    square_ = square;
+    best_ = {near.point, 0.0, k, near.part, near.along};
+  }
+  /// Square of the distance of the closest, m^2; of the reach while there is none.
+  double square() const { return square_; }
+  SurfacePoint found() {
+    if (best_.found()) best_.distance_m = std::sqrt(square_);
+    return best_;
+  }
+
+ private:
+  const std::vector<Triangle>& triangles_;
+  const Vec3d& x_;
+  double square_;
+  SurfacePoint best_;
 };
 
 /// Whether a ray meets a box before `reach`.
@@ -83,24 +105,16 @@ Index SurfaceTree::build(Index first, Index last) {
 }
 
 SurfacePoint SurfaceTree::closest(const Vec3d& x, double reach_m, Index hint) const {
-  SurfacePoint best;
-  double best2 = reach_m * reach_m;
-  const auto consider = [&](Index k) {
-    const TrianglePoint near = closestPoint(triangles_[k], x);
-    const double square = (near.point - x).squaredNorm();
-    if (square > best2 || (square == best2 && best.triangle < k)) return;
-    best2 = square;
-    best = {near.point, 0.0, k, near.part, near.along};
-  };
-  if (hint != kNone) consider(hint);
+  ClosestSoFar best(triangles_, x, reach_m);
+  if (hint != kNone) best.consider(hint);
   Stack stack;
   stack.push(0);
   while (stack.count > 0) {
     const Index number = stack.pop();
     const Node& node = nodes_[number];
-    if (node.box.squaredExteriorDistance(x) > best2) continue;
+    if (node.box.squaredExteriorDistance(x) > best.square()) continue;
     if (node.leaf > 0) {
-      for (Index k = node.first; k < node.first + node.leaf; ++k) consider(order_[k]);
+      for (Index k = node.first; k < node.first + node.leaf; ++k) best.consider(order_[k]);
       continue;
     }
     const Index a = number + 1, b = node.first;
@@ -109,8 +123,18 @@ SurfacePoint SurfaceTree::closest(const Vec3d& x, double reach_m, Index hint) co
     stack.push(a_first ? b : a);
     stack.push(a_first ? a : b);
   }
-  if (best.found()) best.distance_m = std::sqrt(best2);
-  return best;
+  return best.found();
+}
+
+SurfacePoint SurfaceTree::closestOf(const NearTriangleList& list, const Vec3d& x, double away_m,
+                                    double reach_m) const {
+  ClosestSoFar best(triangles_, x, reach_m);
+  for (const NearTriangle& near : list) {
+    const double at_least = double(near.distance_m) - away_m * (1 + kRounding);
+    if (at_least > 0 && at_least * at_least > best.square()) break;
+    best.consider(near.triangle);
+  }
+  return best.found();
 }
 
 /// Calls visit(distance) for every triangle that a ray meets before `reach`, which may shrink.
@@ -144,6 +168,21 @@ bool SurfaceTree::crosses(const Vec3d& from, const Vec3d& to) const {
     reach = -1.0;
   });
   return found;
+}
+
+Passed SurfaceTree::passed(const NearTriangleList& list, const Vec3d& from, const Vec3d& to) const {
+  const Vec3d way = to - from;
+  const auto meets = [&](Index k, double margin) {
+    const auto share = hit(triangles_[k], from, way, margin);
+    return share && *share >= -margin && *share <= 1 + margin;
+  };
+  Passed passed;
+  for (const NearTriangle& near : list) {
+    if (!meets(near.triangle, kBeside)) continue;
+    if (!meets(near.triangle, -kBeside)) passed.certain = false;
+    passed.odd = !passed.odd;
+  }
+  return passed;
 }
 
 double SurfaceTree::firstHit(const Vec3d& origin, const Vec3d& direction, double skip_m,

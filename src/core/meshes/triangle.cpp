@@ -33,17 +33,18 @@ TrianglePoint closestPoint(const Triangle& t, const Vec3d& x) {
   return {t.a + ab * (vb / sum) + ac * (vc / sum), TrianglePart::kFace, Vec3d::Zero()};
 }
 
-std::optional<double> hit(const Triangle& t, const Vec3d& origin, const Vec3d& direction) {
+std::optional<double> hit(const Triangle& t, const Vec3d& origin, const Vec3d& direction,
+                          double margin) {
   const Vec3d ab = t.b - t.a, ac = t.c - t.a;
   const Vec3d p = direction.cross(ac);
   const double determinant = ab.dot(p);
   if (determinant == 0) return std::nullopt;
   const Vec3d from_a = origin - t.a;
   const double u = from_a.dot(p) / determinant;
-  if (!(u >= 0 && u <= 1)) return std::nullopt;
+  if (!(u >= -margin && u <= 1 + margin)) return std::nullopt;
   const Vec3d q = from_a.cross(ab);
   const double v = direction.dot(q) / determinant;
-  if (!(v >= 0 && u + v <= 1)) return std::nullopt;
+  if (!(v >= -margin && u + v <= 1 + margin)) return std::nullopt;
   return ac.dot(q) / determinant;
 }
 

@@ -30,6 +30,8 @@ TrianglePoint closestPoint(const Triangle& triangle, const Vec3d& x);
 
 /// Distance along a ray, in lengths of `direction`, at which it meets a triangle from either side
 /// (T. Moeller, B. Trumbore, J. Graphics Tools 2, 1997).
-std::optional<double> hit(const Triangle& triangle, const Vec3d& origin, const Vec3d& direction);
+/// @param margin by how much the triangle is larger, in its barycentric coordinates
+std::optional<double> hit(const Triangle& triangle, const Vec3d& origin, const Vec3d& direction,
+                          double margin = 0.0);
 
 }  // namespace ice_ice_baby

@@ -50,6 +50,7 @@ class Simulator final : public Simulation {
   void placeColliders(const std::vector<ColliderPlacement>& placements) override;
   Posed colliderPose(const std::string& name) const override { return colliders_.pose(name); }
   std::vector<SolidState> solids() const override;
+  Posed solidPose(const std::string& name) const override;
   void holdSolid(const std::string& name, const Posed& pose) override;
   void releaseSolid(const std::string& name) override;
   void measureWrenches(bool measure) override;

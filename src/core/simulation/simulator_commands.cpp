@@ -150,6 +150,11 @@ Index Simulator<Real>::requireSolid(const std::string& name) const {
 }
 
 template <class Real>
+Posed Simulator<Real>::solidPose(const std::string& name) const {
+  return bodies()->solidState(bodies()->bodyOfSolid(requireSolid(name))).pose;
+}
+
+template <class Real>
 void Simulator<Real>::holdSolid(const std::string& name, const Posed& pose) {
   const Index solid = requireSolid(name);
   requirePose("solid " + name, pose);

@@ -15,7 +15,7 @@ constexpr double kEdge_m = 0.005, kBand_m = 0.02;
 LeakWatch::LeakWatch(const Vessel& vessel, double spacing_m)
     : walls_(vessel.walls),
       room_(vessel.room),
-      distance_(walls_, false, kEdge_m, kBand_m),
+      distance_(walls_, false, kEdge_m, kBand_m, 0.0),
       rim_m_(vessel.rim_m),
       spacing_m_(spacing_m),
       near_(walls_.bounds()) {

@@ -10,7 +10,6 @@
 #include "meshes/mesh_topology.h"
 #include "meshes/meshes.h"
 #include "meshes/solids_of_revolution.h"
-#include "meshes/surface.h"
 
 namespace ice_ice_baby {
 namespace surface_tree_test {
@@ -139,72 +138,6 @@ TEST(MeshCurvatureTest, IsThatOfTheRoundSurface) {
   });
   EXPECT_NEAR(inside.first, -1.0, 0.01);
   EXPECT_NEAR(inside.second, -1.0, 0.01);
-}
-
-/// The lattice of distances is cautious and no more than a cell off.
-TEST(SurfaceTest, IsAtLeastAsFarAsItSays) {
-  Random random(5);
-  const double radius = 0.01;
-  const Surface surface(cupMesh(0.05, 0.1, 0.002), radius);
-  int near = 0;
-  for (int k = 0; k < 20000; ++k) {
-    const Vec3d x = random.inBox({-0.1, -0.1, -0.05}, {0.1, 0.1, 0.15});
-    const double distance = surface.tree().closest(x, 1.0).distance_m;
-    ASSERT_LE(surface.atLeast(x), distance);
-    ASSERT_LE(double(surface.atLeast<float>(x.cast<float>())), distance);
-    if (distance > 4 * radius) continue;
-    ++near;
-    ASSERT_GT(surface.atLeast(x), distance - radius);
-    ASSERT_EQ(surface.closest(x, 1.0).distance_m, distance);
-    ASSERT_EQ(surface.encloses(x), surface.tree().encloses(x));
-  }
-  EXPECT_GT(near, 5000);
-}
-
-/// Far from the surface the tables have no distances, and know the side of whole blocks.
-TEST(SurfaceTest, KnowsItsInsideFarFromTheSurface) {
-  Random random(7);
-  const double radius = 0.02;
-  TriangleMesh two = cylinderMesh(0.2, 0.5);
-  const TriangleMesh box = test::boxMesh({0.4, -0.2, -0.2}, {0.8, 0.2, 0.2});
-  const auto first = static_cast<Index>(two.vertices.size());
-  two.vertices.insert(two.vertices.end(), box.vertices.begin(), box.vertices.end());
-  for (const auto& t : box.triangles)
-    two.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-  const Surface surface(welded(two), radius);
-  int inside = 0, outside = 0;
-  for (int k = 0; k < 20000; ++k) {
-    const Vec3d x = random.inBox({-0.3, -0.3, -0.4}, {1.0, 0.3, 0.4});
-    if (surface.atLeast(x) < 4 * radius) continue;
-    ASSERT_EQ(surface.encloses(x), surface.tree().encloses(x));
-    ++(surface.encloses(x) ? inside : outside);
-  }
-  EXPECT_GT(inside, 500);
-  EXPECT_GT(outside, 2000);
-}
-
-TEST(SurfaceTest, MeshesMadeInCodeAreCheckedToo) {
-  const auto refusal = [](const std::function<void(TriangleMesh&)>& change) {
-    Scene scene;
-    TriangleMesh mesh = test::boxMesh(Vec3d::Zero(), Vec3d::Ones());
-    change(mesh);
-    scene.meshes.emplace_back().name = "cup";
-    scene.meshes[0].triangles = std::make_shared<const TriangleMesh>(mesh);
-    return test::refusalOf([&] { validate(scene); });
-  };
-  EXPECT_EQ(refusal([](TriangleMesh&) {}), "");
-  const auto says = [](const std::string& text, const char* part) {
-    EXPECT_NE(text.find(part), std::string::npos) << text;
-  };
-  says(refusal([](TriangleMesh& m) { m.vertices[3].y() = std::nan(""); }), "a vertex of mesh cup");
-  says(refusal([](TriangleMesh& m) { m.triangles[3][1] = 99; }), "has corner 99 of 24");
-  says(refusal([](TriangleMesh& m) { m.triangles.clear(); }), "no triangle with an area");
-}
-
-TEST(SurfaceTest, ThatIsTooLargeForItsSpacingIsRefused) {
-  const double size = 50.0;
-  EXPECT_THROW(Surface(test::boxMesh(Vec3d::Zero(), Vec3d::Constant(size)), 0.005), InvalidInput);
-  EXPECT_NO_THROW(Surface(test::boxMesh(Vec3d::Zero(), Vec3d::Constant(size)), 1.0));
 }
 
 }  // namespace surface_tree_test
