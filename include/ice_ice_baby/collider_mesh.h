@@ -18,9 +18,9 @@ struct ColliderMesh {
   std::vector<std::array<Index, 3>> triangles;  ///< counterclockwise from outside
   std::vector<std::array<Index, 2>> edges;      ///< lines to draw if the surface is transparent
   Look look = Look::kObject;
-  bool infinite = false;        ///< the solid extends beyond the mesh
-  std::string resource;         ///< address of the file that holds it, for viewers that read files
-  double resource_scale = 1.0;  ///< metres per unit of that file
+  bool infinite = false;  ///< the solid extends beyond the mesh
+  std::string resource;   ///< address of the file that holds it, for viewers that read files
+  Vec3d resource_scale = Vec3d::Ones();  ///< metres per unit of that file, along each axis
   /// Semi-axes, m, of a sphere or ellipsoid about the origin, for viewers with a primitive for it;
   /// 0 for any other shape.
   Vec3d half_axes_m = Vec3d::Zero();

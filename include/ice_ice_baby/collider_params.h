@@ -149,6 +149,7 @@ void describe(Cup& c, Visitor&& visit) {
 struct Mesh : Collider {
   std::string file;
   double scale = 1.0;
+  Vec3d stretch = Vec3d::Ones();
   /// In the frame of the collider, scaled. Read from `file` by loadScene; set it in code.
   std::shared_ptr<const TriangleMesh> triangles;
 };
@@ -159,6 +160,8 @@ void describe(Mesh& m, Visitor&& visit) {
   visit("file", m.file,
         "STL, OBJ, DAE or PLY; a path relative to the scene file, or package://PACKAGE/PATH");
   visit("scale", m.scale, Range{1e-6, 1e6}, "metres per unit of the file; 0.001: millimetres");
+  visit("stretch", m.stretch, Range{-1000.0, 1000.0},
+        "further factor along each axis of the file; a negative one mirrors the mesh");
 }
 
 /// The colliders of a scene, one list for each shape.

@@ -60,7 +60,7 @@ void fillSurface(const ColliderMesh& mesh, Marker& marker) {
   if (!mesh.resource.empty()) {
     marker.type = Marker::MESH_RESOURCE;
     marker.mesh_resource = mesh.resource;
-    marker.scale = vectorMessage(Vec3d::Constant(mesh.resource_scale));
+    marker.scale = vectorMessage(mesh.resource_scale);
     return;
   }
   marker.scale = vectorMessage(Vec3d::Ones());

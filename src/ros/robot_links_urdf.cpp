@@ -24,12 +24,9 @@ Shape& addTo(std::vector<Shape>& list, const std::string& name, const urdf::Coll
   return shape;
 }
 
-double scaleOf(const urdf::Mesh& mesh, const std::string& link) {
-  const Vec3d scale = vectorOf(mesh.scale);
-  if (scale.x() > 0 && (scale.array() == scale.x()).all()) return scale.x();
-  throw InvalidInput("link " + link + ": the scale of " + shortened(mesh.filename) + " = [" +
-                     numberText(scale.x()) + ", " + numberText(scale.y()) + ", " +
-                     numberText(scale.z()) + "] must be the same above 0 along every axis");
+void setScale(const Vec3d& scale, Mesh& mesh) {
+  mesh.scale = scale.cwiseAbs().maxCoeff();
+  if (mesh.scale > 0) mesh.stretch = scale / mesh.scale;
 }
 
 std::string fileOf(const urdf::Mesh& mesh) {
@@ -55,7 +52,7 @@ void addCollision(Scene& scene, const std::string& name, const urdf::Collision& 
     const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
     Mesh& added = addTo(scene.meshes, name, collision, frame);
     added.file = fileOf(mesh);
-    added.scale = scaleOf(mesh, frame);
+    setScale(vectorOf(mesh.scale), added);
   }
 }
 

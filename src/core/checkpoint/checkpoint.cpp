@@ -20,7 +20,7 @@ namespace {
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "checkpoints have the least byte first");
 
 /// Increase it whenever the members listed by an `exchange` change.
-constexpr std::uint32_t kVersion = 6;
+constexpr std::uint32_t kVersion = 7;
 
 constexpr std::string_view kMagic = "iib-ckpt";
 

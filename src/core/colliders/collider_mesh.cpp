@@ -12,7 +12,7 @@ void addResource(const Mesh& item, ColliderMesh& mesh) {
   if (item.file.empty()) return;
   const bool path = item.file.front() == '/';
   mesh.resource = path ? "file://" + item.file : item.file;
-  mesh.resource_scale = item.scale;
+  mesh.resource_scale = item.scale * item.stretch;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/item_names.h"
 #include "ice_ice_baby/errors.h"
 #include "loading/mesh_reader.h"
 #include "loading/scene_files.h"
@@ -21,6 +22,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMaxFile_bytes = 256u << 20;
+/// Meshes may be mirrored, not flattened.
+constexpr double kSmallestStretch = 1e-3;
 constexpr const char* kPackage = "package://";
 
 std::string extensionOf(const fs::path& file) {
@@ -123,13 +126,21 @@ void requireSound(const TriangleMesh& mesh) {
   }
 }
 
-std::shared_ptr<const TriangleMesh> readFile(const std::string& path, double scale) {
+/// Mirrored triangles still face outwards.
+void stretch(const Vec3d& factors, TriangleMesh& mesh) {
+  for (Vec3d& vertex : mesh.vertices) vertex = vertex.cwiseProduct(factors);
+  if (factors.prod() > 0) return;
+  for (auto& corners : mesh.triangles) std::swap(corners[1], corners[2]);
+}
+
+/// @param factors metres per unit of the file, along each axis
+std::shared_ptr<const TriangleMesh> readFile(const std::string& path, const Vec3d& factors) {
   const std::string extension = extensionOf(path);
   if (extension != "stl" && extension != "obj" && extension != "dae" && extension != "ply") {
     throw InvalidInput("must end in .stl, .obj, .dae or .ply");
   }
   TriangleMesh mesh = readMesh(bytesOf(path), extension);
-  for (Vec3d& vertex : mesh.vertices) vertex *= scale;
+  stretch(factors, mesh);
   for (const auto& corners : mesh.triangles) {
     for (const Index corner : corners) {
       if (corner >= mesh.vertices.size())
@@ -140,6 +151,16 @@ std::shared_ptr<const TriangleMesh> readFile(const std::string& path, double sca
   mesh = welded(mesh);
   requireSound(mesh);
   return std::make_shared<const TriangleMesh>(std::move(mesh));
+}
+
+void requireStretch(const Mesh& mesh, std::size_t k) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(mesh.stretch[axis]) >= kSmallestStretch) continue;
+    throw InvalidInput(wordsFor("meshes", k, mesh) + ": stretch." + std::to_string(axis) + " = " +
+                       numberText(mesh.stretch[axis]) + " must be at least " +
+                       numberText(kSmallestStretch) + ", or at most " +
+                       numberText(-kSmallestStretch) + " to mirror the mesh");
+  }
 }
 
 /// Adds the key and the value to what a message says about the file.
@@ -167,7 +188,9 @@ void readMeshFiles(Scene& scene) {
   for (std::size_t k = 0; k < scene.meshes.size(); ++k) {
     Mesh& mesh = scene.meshes[k];
     if (mesh.triangles) continue;
-    forMesh(scene, k, [&] { mesh.triangles = readFile(placeOf(mesh.file), mesh.scale); });
+    requireStretch(mesh, k);
+    forMesh(scene, k,
+            [&] { mesh.triangles = readFile(placeOf(mesh.file), mesh.scale * mesh.stretch); });
   }
 }
 

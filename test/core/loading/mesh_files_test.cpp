@@ -114,6 +114,19 @@ TEST_F(MeshFilesTest, EveryKindOfFileHoldsTheSameCube) {
   }
 }
 
+TEST_F(MeshFilesTest, MayBeStretchedAndMirrored) {
+  const Scene scene = sceneWith("cube.obj", ", scale: 0.5, stretch: [1, -2, 0.5]");
+  const TriangleMesh& mesh = *scene.meshes[0].triangles;
+  EXPECT_TRUE(topologyOf(mesh).closed());
+  EXPECT_NEAR(topologyOf(mesh).volume_m3, 0.125, 1e-7) << "above 0, so it faces outwards";
+  Eigen::AlignedBox3d box;
+  for (const Vec3d& vertex : mesh.vertices) box.extend(vertex);
+  EXPECT_LT((box.min() - Vec3d(0, -1, 0)).norm(), 1e-6);
+  EXPECT_LT((box.max() - Vec3d(0.5, 0, 0.25)).norm(), 1e-6);
+  EXPECT_SAYS(refusal("cube.obj", ", stretch: [1, 0, 1]"), "stretch.1 = 0 must be at least 0.001");
+  EXPECT_SAYS(refusal("cube.obj", ", stretch: [1, 1, 1001]"), "outside the allowed range");
+}
+
 TEST_F(MeshFilesTest, RefusesWhatIsNoMesh) {
   EXPECT_SAYS(refusal("none.stl"), "is not an ordinary file in");
   EXPECT_SAYS(refusal(""), "is missing; set it to an STL");
