@@ -10,8 +10,8 @@
 #include "autosave.h"
 #include "metrics/error_metrics.h"
 #include "metrics/escape_meter.h"
-#include "pictures/frame_writer.h"
 #include "progress_bar.h"
+#include "sequences/frame_outputs.h"
 #include "series_writer.h"
 #include "stop_signal.h"
 #include "trajectory_recorder.h"
@@ -123,8 +123,8 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double en
   const auto end = static_cast<std::size_t>(std::ceil(end_s * scene.solver.frame_rate_hz - 1e-9));
   const std::size_t frames = std::max(first, end) - first;
   const double every = std::max(1.0, scene.solver.frame_rate_hz / outputs.frames_hz);
-  std::unique_ptr<FrameWriter> pictures;
-  if (!outputs.frames.empty()) pictures = std::make_unique<FrameWriter>(outputs.frames, scene);
+  std::optional<FrameOutputs> sequences;
+  if (outputs.folders.any()) sequences.emplace(outputs.folders, scene);
   std::optional<WrenchLog> wrenches;
   if (outputs.wrenches && !outputs.series.empty()) wrenches.emplace(simulation);
   Observers observers(simulation, outputs, threads, wrenches ? &*wrenches : nullptr);
@@ -137,11 +137,11 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double en
   Autosave autosave(outputs.save, outputs.autosave_s, simulation.report().time_s);
   const double sample_every =
       outputs.sample_hz > 0.0 ? std::max(1.0, scene.solver.frame_rate_hz / outputs.sample_hz) : 1.0;
-  double next_picture = 0.0, next_sample = sample_every;
+  double next_output = 0.0, next_sample = sample_every;
   for (std::size_t frame = 0; frame < frames; ++frame) {
-    if (pictures && double(frame) >= next_picture) {
-      pictures->write(simulation);
-      next_picture += every;
+    if (sequences && double(frame) >= next_output) {
+      sequences->write(simulation);
+      next_output += every;
     }
     if (outputs.wrenches && !wrenches && frame == lastHalfSecond(frames, scene)) {
       wrenches.emplace(simulation);
@@ -160,6 +160,7 @@ RunRecord runFrames(Simulation& simulation, const RunOutputs& outputs, double en
     record.stopped = stop && stop->raised();
     if (record.stopped) break;
   }
+  if (sequences) record.written = sequences->finish();
   record.metrics = observers.metrics();
   record.residual_speed_m_s = residual.value();
   if (wrenches) record.wrenches = wrenches->lastHalfSecond();

@@ -4,13 +4,14 @@
 #include <string>
 
 #include "run_report.h"
+#include "sequences/sequence_folders.h"
 
 namespace ice_ice_baby {
 
 /// Files to write during a run; "" writes none.
 struct RunOutputs {
-  std::string frames;  ///< folder of pictures
-  double frames_hz = 30.0;
+  SequenceFolders folders;
+  double frames_hz = 30.0;  ///< of what goes into them
   double sample_hz = 0.0;   ///< rate of series, record and error metrics; 0: every frame
   std::string series;       ///< CSV over time
   std::string record;       ///< .npy of every position

@@ -13,9 +13,10 @@ namespace fs = std::filesystem;
 void requireDiskSpace(const RunOutputs& outputs, const Scene& scene, double duration_s) {
   const double rate_hz = scene.solver.frame_rate_hz;
   const double pictures = std::ceil(duration_s * std::min(outputs.frames_hz, rate_hz));
-  if (!outputs.frames.empty() && pictures > kMaxPictures) {
-    throw InvalidInput("--frames would write " + numberText(pictures) + " pictures, more than " +
-                       numberText(kMaxPictures) + "; lower --frames-hz or --duration");
+  if (outputs.folders.any() && pictures > kMaxPictures) {
+    throw InvalidInput("--frames, --surface or --export would write " + numberText(pictures) +
+                       " files, more than " + numberText(kMaxPictures) +
+                       "; lower --frames-hz or --duration");
   }
   if (outputs.record.empty()) return;
   const double sample_hz = outputs.sample_hz > 0.0 ? std::min(outputs.sample_hz, rate_hz) : rate_hz;

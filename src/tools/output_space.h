@@ -5,7 +5,7 @@
 
 namespace ice_ice_baby {
 
-/// Maximum number of pictures of a run, because their names have five digits.
+/// Maximum number of pictures, surfaces or exports of a run, because their names have five digits.
 constexpr double kMaxPictures = 100000;
 
 /// @throws InvalidInput for more than kMaxPictures pictures, and for a record larger than the free

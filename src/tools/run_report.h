@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "metrics/error_metrics.h"
+#include "sequences/sequence_folders.h"
 
 namespace ice_ice_baby {
 
@@ -29,6 +30,7 @@ struct RunRecord {
   std::size_t max_ice_bodies = 0;
   std::size_t max_steam = 0;
   bool stopped = false;
+  std::vector<WrittenSequence> written;
   std::vector<ErrorMetric> metrics;
   std::vector<ColliderWrench> wrenches;  ///< means of the last half second; empty if not measured
 

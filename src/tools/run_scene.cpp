@@ -44,6 +44,7 @@ struct Options {
 constexpr char kExamples[] = R"(Examples:
   run_scene dam_break --profile
   run_scene container_splash --duration 4 --frames /tmp/frames
+  run_scene container_splash --surface /tmp/surface --export /tmp/particles
   run_scene dam_break --quality accurate
   run_scene dam_break --set solver.target_error=0.001
   run_scene freeze_container --preset paper --report report.json
@@ -77,9 +78,18 @@ void describeOptions(CLI::App& app, Options& o) {
   app.add_option("--sample-hz", o.outputs.sample_hz,
                  "samples per simulated second of --series, --record and the metrics of the error; "
                  "without it every frame");
-  app.add_option("--frames", o.outputs.frames,
+  SequenceFolders& folders = o.outputs.folders;
+  app.add_option("--frames", folders.frames,
                  "write PNG pictures into this folder, in place of those of an earlier run");
-  app.add_option("--frames-hz", o.outputs.frames_hz, "pictures per simulated second (30)");
+  app.add_option(
+      "--surface", folders.surface,
+      "write the surfaces of water and ice into this folder, with an index for ParaView");
+  app.add_option("--surface-format", folders.surface_format, "ply or obj (ply)");
+  app.add_option("--export", folders.particles,
+                 "write the particles into this folder, with an index for ParaView");
+  app.add_option("--export-format", folders.particles_format, "vtk or ply (vtk)");
+  app.add_option("--frames-hz", o.outputs.frames_hz,
+                 "pictures, surfaces and exports per simulated second (30)");
   app.add_option("--save", o.outputs.save,
                  "write a checkpoint to this file at the end, also after Ctrl-C or SIGTERM");
   app.add_option("--autosave", o.outputs.autosave_s,
@@ -161,6 +171,10 @@ void printSummary(const Simulation& simulation, const RunRecord& record) {
       record.samples > 0 ? 1e3 * record.wall_time_s / double(record.samples) : 0.0,
       100 * record.density_error_mean, 100 * record.density_error_max, report.springs,
       report.rms_speed_m_s, report.asleep ? ", asleep" : "");
+  for (const WrittenSequence& one : record.written) {
+    std::printf("%zu %s in %s, %.1f ms each\n", one.frames, one.what.c_str(), one.folder.c_str(),
+                1e3 * one.wall_s / double(std::max<std::size_t>(one.frames, 1)));
+  }
   printPopulation(report);
   warnOfLimits(simulation.scene(), report.particles + report.spilled + report.drained, record);
   warnOfSources(simulation);

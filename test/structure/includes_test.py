@@ -10,6 +10,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDE_FOLDERS = [
     ROOT / "include",
     ROOT / "src/core",
+    ROOT / "src/surface",
     ROOT / "src/view",
     ROOT / "src/tools",
     ROOT / "src/ros",
@@ -90,7 +91,7 @@ class Includes(unittest.TestCase):
 
     def test_only_src_ros_and_src_rviz_know_ros(self):
         ros = re.compile(r"^(ros|tf2\w*|nodelet|pluginlib|\w+_msgs|diagnostic_updater)/")
-        for path in sources("include", "src/core", "src/view", "src/tools"):
+        for path in sources("include", "src/core", "src/surface", "src/view", "src/tools"):
             for name in includes(path)[0]:
                 self.assertIsNone(ros.match(name), f"{path.relative_to(ROOT)} includes {name}")
 

@@ -103,7 +103,7 @@ class RunScene(RunSceneCase):
             ),
             (
                 [self.scene, "--frames", self.folder, "--duration", "1e6"],
-                "3e+07 pictures, more than 1e+05",
+                "3e+07 files, more than 1e+05",
             ),
             (["/dev/zero"], "device or a pipe"),
             ([self.folder], "is a folder"),

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 
-#include "ice_ice_baby/errors.h"
 #include "pictures/drawn_colliders.h"
 
 namespace ice_ice_baby {
@@ -17,26 +14,12 @@ constexpr int kHeight = 600;
 constexpr float kFocal_px = 900;
 constexpr std::size_t kMaxSprings = 20000;
 
-/// frame_00000.png: five digits, as write() names them.
-bool isFrame(const std::string& name) {
-  return name.size() == 15 && name.rfind("frame_", 0) == 0 && name.substr(11) == ".png" &&
-         name.find_first_not_of("0123456789", 6) == 11;
-}
-
 }  // namespace
 
-FrameWriter::FrameWriter(std::string folder, const Scene& scene)
-    : folder_(std::move(folder)),
+FrameWriter::FrameWriter(const std::string& folder, const Scene& scene)
+    : files_(folder, "frame", "png"),
       shrink_(scene.thermal.enabled ? 2 : 1),
       canvas_(kWidth * shrink_, kHeight * shrink_, kFocal_px * float(shrink_)) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (!std::filesystem::is_directory(folder_)) {
-    throw InvalidInput("cannot make the folder " + folder_ + " for frames: " + error.message());
-  }
-  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
-    if (isFrame(entry.path().filename().string())) std::filesystem::remove(entry.path(), error);
-  }
   if (scene.thermal.enabled) {
     heat_.emplace(scene, canvas_);
   } else {
@@ -78,9 +61,7 @@ void FrameWriter::write(const Simulation& simulation) {
   } else {
     paintPlainly(simulation);
   }
-  char name[32];
-  std::snprintf(name, sizeof name, "/frame_%05zu.png", frames_++);
-  canvas_.save(folder_ + name, shrink_);
+  canvas_.save(files_.next(simulation.report().time_s), shrink_);
 }
 
 }  // namespace ice_ice_baby

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pictures/heat_painter.h"
+#include "sequences/file_sequence.h"
 
 namespace ice_ice_baby {
 
@@ -15,7 +16,7 @@ class FrameWriter {
   /// @param folder created if missing. Frames are named frame_00000.png and so on; frames of an
   /// earlier run are removed
   /// @throws InvalidInput if the folder cannot be created
-  FrameWriter(std::string folder, const Scene& scene);
+  FrameWriter(const std::string& folder, const Scene& scene);
 
   /// Draws the next picture. @throws InvalidInput when the file cannot be written
   void write(const Simulation& simulation);
@@ -24,8 +25,7 @@ class FrameWriter {
   void lookFromAbove(const Scene& scene);
   void paintPlainly(const Simulation& simulation);
 
-  std::string folder_;
-  std::size_t frames_ = 0;
+  FileSequence files_;
   int shrink_;  ///< canvas pixels per picture pixel along an axis
   Canvas canvas_;
   std::optional<HeatPainter> heat_;  ///< only of a scene with heat

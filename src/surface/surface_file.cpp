@@ -1,0 +1,80 @@
+#include "surface_file.h"
+
+#include <cstdio>
+#include <fstream>
+
+#include "ice_ice_baby/errors.h"
+
+namespace ice_ice_baby {
+
+namespace {
+
+/// What PLY and the processors that this runs on agree on.
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "PLY files are written as little endian");
+
+template <class Value>
+void append(std::string& bytes, const Value& value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+void append(std::string& bytes, const Vec3<float>& vector) {
+  for (int axis = 0; axis < 3; ++axis) append(bytes, vector[axis]);
+}
+
+void addProperty(std::string& header, const char* name) {
+  header += std::string("property float ") + name + "\n";
+}
+
+void write(const std::string& path, const std::string& bytes) {
+  std::ofstream file(path, std::ios::binary);
+  file.write(bytes.data(), std::streamsize(bytes.size()));
+  file.close();
+  if (!file) throw InvalidInput("cannot write " + path + "; is the disk full?");
+}
+
+}  // namespace
+
+void writePly(const std::string& path, const FluidSurface& surface) {
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment metres, degrees Celsius\n";
+  bytes += "element vertex " + std::to_string(surface.vertices.size()) + "\n";
+  const bool values = !surface.temperatures_c.empty();
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) addProperty(bytes, name);
+  if (values) {
+    for (const char* name : {"vx", "vy", "vz", "temperature", "ice"}) addProperty(bytes, name);
+  }
+  bytes += "element face " + std::to_string(surface.triangles.size()) + "\n";
+  bytes += "property list uchar int vertex_indices\nend_header\n";
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
+    append(bytes, surface.vertices[v]);
+    append(bytes, surface.normals[v]);
+    if (!values) continue;
+    append(bytes, surface.velocities[v]);
+    append(bytes, surface.temperatures_c[v]);
+    append(bytes, surface.ice_fractions[v]);
+  }
+  for (const auto& corners : surface.triangles) {
+    append(bytes, std::uint8_t(3));
+    for (const Index corner : corners) append(bytes, std::int32_t(corner));
+  }
+  write(path, bytes);
+}
+
+void writeObj(const std::string& path, const FluidSurface& surface) {
+  std::string text = "# metres\n";
+  char line[128];
+  const auto add = [&](const char* what, const Vec3<float>& v) {
+    std::snprintf(line, sizeof line, "%s %.6g %.6g %.6g\n", what, double(v.x()), double(v.y()),
+                  double(v.z()));
+    text += line;
+  };
+  for (const Vec3<float>& vertex : surface.vertices) add("v", vertex);
+  for (const Vec3<float>& normal : surface.normals) add("vn", normal);
+  for (const auto& t : surface.triangles) {
+    std::snprintf(line, sizeof line, "f %u//%u %u//%u %u//%u\n", t[0] + 1, t[0] + 1, t[1] + 1,
+                  t[1] + 1, t[2] + 1, t[2] + 1);
+    text += line;
+  }
+  write(path, text);
+}
+
+}  // namespace ice_ice_baby

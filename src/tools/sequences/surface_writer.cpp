@@ -1,0 +1,35 @@
+#include "sequences/surface_writer.h"
+
+#include "ice_ice_baby/errors.h"
+#include "surface_file.h"
+
+namespace ice_ice_baby {
+
+SurfaceWriter::SurfaceWriter(const std::string& folder, const std::string& format,
+                             const Scene& scene)
+    : obj_(format == "obj") {
+  if (!obj_ && format != "ply") {
+    throw InvalidInput("--surface-format " + format + " must be ply or obj");
+  }
+  if (!makesSurfaces()) {
+    throw InvalidInput("--surface needs libopenvdb-dev; install it and build again");
+  }
+  kept_.push_back({Phase::kWater, {folder, "water", format}});
+  if (scene.thermal.enabled) kept_.push_back({Phase::kIce, {folder, "ice", format}});
+}
+
+void SurfaceWriter::write(const Simulation& simulation) {
+  simulation.sample(particles_);
+  for (Kept& one : kept_) {
+    const FluidSurface surface =
+        surfaceOf(particles_, one.phase, simulation.scene().fluid.spacing_m);
+    const std::string path = one.files.next(simulation.report().time_s);
+    obj_ ? writeObj(path, surface) : writePly(path, surface);
+  }
+}
+
+void SurfaceWriter::finish() const {
+  for (const Kept& one : kept_) one.files.writeIndex();
+}
+
+}  // namespace ice_ice_baby

@@ -1,0 +1,35 @@
+// Writes the surfaces of water and of ice over a run.
+#pragma once
+
+#include <array>
+
+#include "fluid_surface.h"
+#include "ice_ice_baby/simulation.h"
+#include "sequences/file_sequence.h"
+
+namespace ice_ice_baby {
+
+class SurfaceWriter {
+ public:
+  /// Files water_00000.ply, and ice_00000.ply in scenes in which there may be ice.
+  /// @param format ply or obj
+  /// @throws InvalidInput for another format, if the folder cannot be made, or without
+  /// libopenvdb-dev
+  SurfaceWriter(const std::string& folder, const std::string& format, const Scene& scene);
+
+  /// The surfaces now. @throws InvalidInput if a file cannot be written
+  void write(const Simulation& simulation);
+  /// After the last. @throws InvalidInput if an index cannot be written
+  void finish() const;
+
+ private:
+  struct Kept {
+    Phase phase;
+    FileSequence files;
+  };
+  bool obj_;
+  std::vector<Kept> kept_;
+  std::vector<ParticleSample> particles_;
+};
+
+}  // namespace ice_ice_baby
