@@ -53,10 +53,13 @@ class Sequences(RunSceneCase):
         self.assertGreater(len(mesh.cells_dict["triangle"]), 500)
         self.assertLess(abs(mesh.points[:, 2].max() - 0.3), 0.02)
         self.assertIn("temperature", mesh.point_data)
+        tank = meshio.read(out / "colliders.obj")
+        self.assertLess(abs(numpy.ptp(tank.points[:, 2]) - 0.4), 0.05)
         result = self.run_scene(self.scene, "--surface", out, "--duration", 0.02)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(
-            sorted(f.name for f in out.iterdir()), ["water.ply.series", "water_00000.ply"]
+            sorted(f.name for f in out.iterdir()),
+            ["colliders.obj", "water.ply.series", "water_00000.ply"],
         )
 
     def test_unknown_formats_are_refused(self):

@@ -16,6 +16,9 @@ class FileSequence {
   /// Path of the next file, which shows the scene at a simulated time.
   std::string next(double time_s);
 
+  /// Whether no file has been named yet.
+  bool empty() const { return files_.empty(); }
+
   /// Writes NAME.EXTENSION.series, a JSON list of the files and their times.
   /// @throws InvalidInput if it cannot be written
   void writeIndex() const;

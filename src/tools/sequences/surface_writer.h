@@ -1,7 +1,9 @@
 // Writes the surfaces of water and of ice over a run.
 #pragma once
 
-#include <array>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "fluid_surface.h"
 #include "ice_ice_baby/simulation.h"
@@ -11,7 +13,8 @@ namespace ice_ice_baby {
 
 class SurfaceWriter {
  public:
-  /// Files water_00000.ply, and ice_00000.ply in scenes in which there may be ice.
+  /// Files water_00000.ply, ice_00000.ply from when there is ice, solids_00000.obj in scenes with
+  /// floating solids, and colliders.obj once.
   /// @param format ply or obj
   /// @throws InvalidInput for another format, if the folder cannot be made, or without
   /// libopenvdb-dev
@@ -27,8 +30,10 @@ class SurfaceWriter {
     Phase phase;
     FileSequence files;
   };
+  std::string folder_;
   bool obj_;
   std::vector<Kept> kept_;
+  std::optional<FileSequence> solids_;
   std::vector<ParticleSample> particles_;
 };
 
