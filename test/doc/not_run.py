@@ -20,6 +20,7 @@ NOT_RUN = {
     "*scripts/load/flood --scene small": "takes minutes",
     "scripts/load/carry": "takes minutes",
     "scripts/pour*": "takes minutes",
+    "scripts/render *": "needs Blender",
     "cmake -*": "builds",
     "ctest -*": "runs other tests",
     "catkin_make *": "needs a catkin workspace",

@@ -43,24 +43,26 @@ def parser():
 
 
 def check(args):
-    if not shutil.which("blender"):
-        raise Refusal("no blender; run scripts/install_dependencies render")
-    if args.film and not shutil.which("ffmpeg"):
-        raise Refusal("no ffmpeg; run scripts/install_dependencies headless")
+    """Width and height, once everything is sound."""
     try:
         width, height = (int(word) for word in args.size.split("x"))
     except ValueError:
         raise Refusal(f"--size {args.size} must be WIDTHxHEIGHT, as 960x720") from None
-    limits = {
-        "--size": (min(width, height), 16, 8192),
-        "--samples": (args.samples, 1, 10000),
-        "--at": (args.at, 0.0, 1e4),
-        "--seconds": (args.seconds, 0.0, 1e4),
-        "--fps": (args.fps, 0.1, 240.0),
-    }
-    for name, (value, low, high) in limits.items():
+    limits = (
+        ("--size", width, 16, 8192),
+        ("--size", height, 16, 8192),
+        ("--samples", args.samples, 1, 10000),
+        ("--at", args.at, 0.0, 1e4),
+        ("--seconds", args.seconds, 0.0, 1e4),
+        ("--fps", args.fps, 0.1, 240.0),
+    )
+    for name, value, low, high in limits:
         if not low <= value <= high:
             raise Refusal(f"{name} = {value:g} is outside the allowed range [{low:g}, {high:g}]")
+    if not shutil.which("blender"):
+        raise Refusal("no blender; run scripts/install_dependencies render")
+    if args.film and not shutil.which("ffmpeg"):
+        raise Refusal("no ffmpeg; run scripts/install_dependencies render")
     return width, height
 
 
@@ -106,11 +108,11 @@ def render(folder, job):
 
 def run(words):
     args = parser().parse_args(words)
-    width, height = check(args)
     name = pathlib.Path(args.scene).stem
     output = pathlib.Path(args.output or f"{name}.{'mp4' if args.film else 'png'}").resolve()
     if not output.parent.is_dir():
         raise Refusal(f"--output {output}: there is no folder {output.parent}")
+    width, height = check(args)
     with tempfile.TemporaryDirectory() as place:
         folder = pathlib.Path(place)
         times = surfaces(args, folder)

@@ -18,14 +18,14 @@ WATER_IOR, ICE_IOR = 1.333, 1.31
 WATER_TINT = (0.45, 0.82, 0.95)  # what a scene's size of water leaves of white light
 ICE_COLOUR, ICE_ROUGHNESS, ICE_MILKY = (0.90, 0.96, 1.0), 0.15, 0.6
 GROUND_COLOUR, OBJECT_COLOUR, SOLID_COLOUR = (
-    (0.55, 0.57, 0.60),
+    (0.22, 0.25, 0.29),
     (0.30, 0.32, 0.36),
     (0.75, 0.38, 0.14),
 )
-SKY_COLOUR, SKY_STRENGTH = (0.80, 0.88, 1.0), 0.6
+SKY_COLOUR, SKY_STRENGTH = (0.45, 0.62, 0.85), 0.35
 LAMPS = (  # place and width in sizes of the scene, power in watts per square metre of that size
-    ((-1.2, -1.0, 2.0), 1.0, 60.0),
-    ((1.6, 0.6, 1.2), 1.4, 25.0),
+    ((-1.2, -1.0, 2.0), 1.0, 110.0),
+    ((1.6, 0.6, 1.2), 1.4, 45.0),
 )
 SHARP_RAD = 0.5  # edges of colliders and solids that turn more are sharp
 GLASS_SHINE = 0.3  # of vessels, seen from the side
