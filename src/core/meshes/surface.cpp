@@ -19,7 +19,7 @@ constexpr double kEdge_r = 0.5, kBand_r = 4.5, kNear_r = 1.0;
 constexpr std::size_t kKept_bytes = 256 << 20;
 
 /// Blocks that a lattice around a surface may have, and area in squared spacings: their tables need
-/// 20 kB and a millisecond or two for each of these.
+/// 25 kB and a millisecond or two for each of these.
 constexpr double kMaxBlocks = 4e6, kMaxArea_d2 = 4e4;
 
 std::string shortText(double value) {
