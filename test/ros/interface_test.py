@@ -349,6 +349,7 @@ class Interface(unittest.TestCase):
                 "coarse_steps",
                 "followed",
                 "gauged",
+                "ice_and_solids",
                 "raft",
                 "slow",
                 "small",
