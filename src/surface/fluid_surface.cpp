@@ -24,6 +24,13 @@ std::vector<const ParticleSample*> ofPhase(const std::vector<ParticleSample>& pa
   return found;
 }
 
+/// Calls visit(a, b, c) for the corners of every triangle.
+template <class Visit>
+void forEachTriangle(const FluidSurface& surface, const Visit& visit) {
+  const auto at = [&](Index corner) { return Vec3d(surface.vertices[corner].cast<double>()); };
+  for (const auto& t : surface.triangles) visit(at(t[0]), at(t[1]), at(t[2]));
+}
+
 void moveToNeighbours(FluidSurface& surface, float share) {
   std::vector<Vec3<float>> sum(surface.vertices.size(), Vec3<float>::Zero());
   std::vector<float> count(surface.vertices.size(), 0.0f);
@@ -102,21 +109,17 @@ FluidSurface surfaceOf(const std::vector<ParticleSample>& particles, Phase phase
 
 double FluidSurface::volume_m3() const {
   double volume = 0.0;
-  for (const auto& t : triangles) {
-    const Vec3d a = vertices[t[0]].cast<double>(), b = vertices[t[1]].cast<double>(),
-                c = vertices[t[2]].cast<double>();
+  forEachTriangle(*this, [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     volume += a.dot(b.cross(c)) / 6;
-  }
+  });
   return volume;
 }
 
 double FluidSurface::area_m2() const {
   double area = 0.0;
-  for (const auto& t : triangles) {
-    const Vec3d a = vertices[t[0]].cast<double>(), b = vertices[t[1]].cast<double>(),
-                c = vertices[t[2]].cast<double>();
+  forEachTriangle(*this, [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     area += (b - a).cross(c - a).norm() / 2;
-  }
+  });
   return area;
 }
 

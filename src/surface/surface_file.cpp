@@ -1,9 +1,8 @@
 #include "surface_file.h"
 
 #include <cstdio>
-#include <fstream>
 
-#include "ice_ice_baby/errors.h"
+#include "base/written_file.h"
 
 namespace ice_ice_baby {
 
@@ -23,13 +22,6 @@ void append(std::string& bytes, const Vec3<float>& vector) {
 
 void addProperty(std::string& header, const char* name) {
   header += std::string("property float ") + name + "\n";
-}
-
-void write(const std::string& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), std::streamsize(bytes.size()));
-  file.close();
-  if (!file) throw InvalidInput("cannot write " + path + "; is the disk full?");
 }
 
 }  // namespace
@@ -56,7 +48,7 @@ void writePly(const std::string& path, const FluidSurface& surface) {
     append(bytes, std::uint8_t(3));
     for (const Index corner : corners) append(bytes, std::int32_t(corner));
   }
-  write(path, bytes);
+  writeFile(path, bytes);
 }
 
 void writeObj(const std::string& path, const FluidSurface& surface) {
@@ -74,7 +66,7 @@ void writeObj(const std::string& path, const FluidSurface& surface) {
                   t[1] + 1, t[2] + 1, t[2] + 1);
     text += line;
   }
-  write(path, text);
+  writeFile(path, text);
 }
 
 }  // namespace ice_ice_baby

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 
+#include "base/written_file.h"
 #include "ice_ice_baby/collider_mesh.h"
-#include "ice_ice_baby/errors.h"
 
 namespace ice_ice_baby {
 
@@ -33,12 +32,7 @@ class ObjText {
     }
     first_ += mesh.vertices.size();
   }
-  void write(const std::string& path) const {
-    std::ofstream file(path);
-    file << text_;
-    file.close();
-    if (!file) throw InvalidInput("cannot write " + path + "; is the disk full?");
-  }
+  const std::string& text() const { return text_; }
 
  private:
   std::string text_ = "# metres\n";
@@ -62,27 +56,27 @@ MeshDetail detailFor(const Scene& scene) {
 }  // namespace
 
 void writeColliders(const std::string& path, const Simulation& simulation) {
-  ObjText text;
+  ObjText objects;
   const Scene& scene = simulation.scene();
   forEachColliderMesh(scene, detailFor(scene),
                       [&](const Collider& collider, const ColliderMesh& mesh) {
-                        text.add(collider.name, materialOf(collider, mesh.look), mesh,
-                                 simulation.colliderPose(collider.name));
+                        objects.add(collider.name, materialOf(collider, mesh.look), mesh,
+                                    simulation.colliderPose(collider.name));
                       });
-  text.write(path);
+  writeFile(path, objects.text());
 }
 
 void writeSolids(const std::string& path, const Simulation& simulation) {
-  ObjText text;
+  ObjText objects;
   const std::vector<SolidState> states = simulation.solids();
   forEachSolidMesh(simulation.scene(), detailFor(simulation.scene()),
                    [&](const Solid& solid, const ColliderMesh& mesh) {
                      const auto state =
                          std::find_if(states.begin(), states.end(),
                                       [&](const SolidState& s) { return s.name == solid.name; });
-                     if (state != states.end()) text.add(solid.name, "solid", mesh, state->pose);
+                     if (state != states.end()) objects.add(solid.name, "solid", mesh, state->pose);
                    });
-  text.write(path);
+  writeFile(path, objects.text());
 }
 
 }  // namespace ice_ice_baby

@@ -2,10 +2,9 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "ice_ice_baby/errors.h"
+#include "base/written_file.h"
 
 namespace ice_ice_baby {
 
@@ -43,11 +42,7 @@ void FileSequence::writeIndex() const {
   for (const auto& [file, time_s] : files_) {
     index["files"].push_back({{"name", file}, {"time", time_s}});
   }
-  const std::string path = folder_ + "/" + name_ + "." + extension_ + ".series";
-  std::ofstream stream(path);
-  stream << index.dump(1) << "\n";
-  stream.close();
-  if (!stream) throw InvalidInput("cannot write " + path + "; is the disk full?");
+  writeFile(folder_ + "/" + name_ + "." + extension_ + ".series", index.dump(1) + "\n");
 }
 
 }  // namespace ice_ice_baby

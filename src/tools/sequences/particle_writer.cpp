@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 
-#include "ice_ice_baby/errors.h"
+#include "base/written_file.h"
 
 namespace ice_ice_baby {
 
@@ -100,11 +99,7 @@ void ParticleWriter::write(const Simulation& simulation) {
   simulation.sample(particles_);
   const double time_s = simulation.report().time_s;
   const std::string path = files_.next(time_s);
-  const std::string bytes = ply_ ? ply(particles_) : vtk(particles_, time_s);
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), std::streamsize(bytes.size()));
-  file.close();
-  if (!file) throw InvalidInput("cannot write " + path + "; is the disk full?");
+  writeFile(path, ply_ ? ply(particles_) : vtk(particles_, time_s));
 }
 
 }  // namespace ice_ice_baby
