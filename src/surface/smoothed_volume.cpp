@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cell_key.h"
 #include "base/parallel.h"
 #include "splat.h"
 
@@ -21,10 +22,7 @@ constexpr double kKernelVolume = 64 * M_PI / 315;
 constexpr float kLevel = 0.645f;
 
 std::uint64_t keyOf(const Eigen::Vector3i& block) {
-  constexpr std::uint64_t kMask = (1u << 21) - 1;
-  return (std::uint64_t(std::int64_t(block.x())) & kMask) |
-         (std::uint64_t(std::int64_t(block.y())) & kMask) << 21 |
-         (std::uint64_t(std::int64_t(block.z())) & kMask) << 42;
+  return cellKey(block.x(), block.y(), block.z());
 }
 
 /// Of a node, rounded down also below 0.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "base/cell_key.h"
 #include "ice_ice_baby/types.h"
 
 namespace ice_ice_baby {
@@ -46,13 +47,11 @@ class PointGrid {
     std::size_t block;
   };
 
-  /// 21 bits per axis. Cells with the same key are distinguished by the distances of their points.
+  /// Cells with the same key are distinguished by the distances of their points.
   std::uint64_t keyAt(const Vec3d& x, const Eigen::Array<std::int64_t, 3, 1>& beside) const {
     const Eigen::Array<std::int64_t, 3, 1> cell =
         (x.array() / edge_m_).floor().cast<std::int64_t>() + beside;
-    constexpr std::uint64_t kMask = (1u << 21) - 1;
-    return (std::uint64_t(cell.x()) & kMask) | (std::uint64_t(cell.y()) & kMask) << 21 |
-           (std::uint64_t(cell.z()) & kMask) << 42;
+    return cellKey(cell.x(), cell.y(), cell.z());
   }
 
   double edge_m_;
