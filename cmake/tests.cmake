@@ -29,3 +29,10 @@ function(iib_add_tests folder)
     add_dependencies(tests ${targets})
   endif()
 endfunction()
+
+# Labels the tests of the calling folder. rostest calls a run that was broken off before its first
+# test a success.
+function(iib_label_ros_tests)
+  get_property(tests DIRECTORY PROPERTY TESTS)
+  set_tests_properties(${tests} PROPERTIES LABELS ros FAIL_REGULAR_EXPRESSION " \\* TESTS: 0")
+endfunction()

@@ -270,6 +270,7 @@ void SimulationThread::updateSnapshot() {
   latest_.scene = scene.name;
   latest_.preset = scene.preset;
   latest_.precision = simulation_->precision();
+  latest_.spacing_m = scene.fluid.spacing_m;
   latest_.thermal = scene.thermal.enabled;
   latest_.thermal_speedup_wanted = scene.thermal.speedup;
   latest_.gravity_m_s2 = scene.gravity_m_s2;

@@ -23,6 +23,7 @@ struct Snapshot {
   Preset preset = Preset::kDefault;
   Precision precision = Precision::kFloat;
   Vec3d gravity_m_s2 = Vec3d::Zero();
+  double spacing_m = 0.0;
   bool thermal = false;                 ///< whether each particle has a temperature of its own
   double thermal_speedup_wanted = 0.0;  ///< thermal.speedup of the scene
   std::vector<std::string> colliders;   ///< names

@@ -35,6 +35,7 @@ State stateMessage(const Snapshot& snapshot, const std_msgs::Header& header) {
   state.precision = choiceName(snapshot.precision);
   state.paused = snapshot.paused;
   state.state_hash = snapshot.state_hash;
+  state.spacing_m = snapshot.spacing_m;
   state.thermal = snapshot.thermal;
   if (snapshot.thermal) state.targets = snapshot.colliders;
   state.gravity = vectorMessage(snapshot.gravity_m_s2);

@@ -1,9 +1,10 @@
 #include "phase_points.h"
 
 #include <cstdint>
-#include <cstring>
 #include <stdexcept>
 #include <string>
+
+#include "field_reader.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -11,30 +12,6 @@ namespace {
 using sensor_msgs::PointField;
 
 constexpr std::uint32_t kWaterBlue = 0x2175DB;
-
-/// Reads one field of points; one that the cloud lacks has always the same value.
-template <typename Value>
-class FieldReader {
- public:
-  FieldReader(const sensor_msgs::PointCloud2& cloud, const char* name, std::uint8_t datatype) {
-    for (const PointField& field : cloud.fields) {
-      const bool inside = field.offset + std::uint64_t{sizeof(Value)} <= cloud.point_step;
-      if (field.name == name && field.datatype == datatype && inside) {
-        offset_ = static_cast<int>(field.offset);
-      }
-    }
-  }
-
-  bool found() const { return offset_ >= 0; }
-
-  Value read(const std::uint8_t* point, Value otherwise) const {
-    if (found()) std::memcpy(&otherwise, point + offset_, sizeof otherwise);
-    return otherwise;
-  }
-
- private:
-  int offset_ = -1;
-};
 
 class CloudReader {
  public:

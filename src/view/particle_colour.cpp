@@ -58,4 +58,13 @@ std::uint32_t heatColour(const ParticleSample& sample) {
   return packed(mixed(waterColour(sample.temperature_c), kIceColour, whiteness(sample)));
 }
 
+std::uint32_t surfaceColour(Phase phase, bool thermal, float celsius, float ice_fraction) {
+  if (!thermal) return particleColour(ice_fraction);
+  ParticleSample sample{};
+  sample.phase = phase;
+  sample.temperature_c = celsius;
+  sample.ice_fraction = ice_fraction;
+  return heatColour(sample);
+}
+
 }  // namespace ice_ice_baby

@@ -37,4 +37,7 @@ std::uint32_t solidColour();
 /// grey, floating solids brown. Packed as 0x00RRGGBB.
 std::uint32_t heatColour(const ParticleSample& sample);
 
+/// Of a place on the surface of `phase`: as a particle there. @param thermal whether there is heat
+std::uint32_t surfaceColour(Phase phase, bool thermal, float celsius, float ice_fraction);
+
 }  // namespace ice_ice_baby

@@ -237,6 +237,7 @@ TEST(StateMessage, CarriesTheReport) {
   snapshot.preset = Preset::kPaper;
   snapshot.precision = Precision::kDouble;
   snapshot.gravity_m_s2 = {0, 0, -2};
+  snapshot.spacing_m = 0.015;
   snapshot.paused = true;
   const State state = stateMessage(snapshot, std_msgs::Header());
   EXPECT_EQ(state.frame, 12u);
@@ -253,6 +254,7 @@ TEST(StateMessage, CarriesTheReport) {
   EXPECT_EQ(state.preset, "paper");
   EXPECT_EQ(state.precision, "double");
   EXPECT_EQ(state.gravity.z, -2.0);
+  EXPECT_EQ(state.spacing_m, 0.015);
   EXPECT_TRUE(state.paused);
   ASSERT_EQ(state.stages.size(), 1u);
   EXPECT_EQ(state.stages[0].name, "lambda");
