@@ -22,13 +22,13 @@ start_simulation() {
   await 40 "the node (see $1/simulation.log)" rosservice type "$NODE/get_state"
 }
 
-# start_view LOG_DIR SIZE [CONFIG]: rviz, until it really receives particles. It draws few frames a second, so
+# start_view LOG_DIR SIZE [CONFIG]: rviz, until it really receives the surface. It draws few frames a second, so
 # that drawing by software leaves the processor to the simulation.
 start_view() {
   sed -e 's/Frame Rate: .*/Frame Rate: 10/' -e "s/^  Width: .*/  Width: ${2%x*}/" \
     -e "s/^  Height: .*/  Height: ${2#*x}/" "${3:-$ROOT/config/rviz/ice_ice_baby.rviz}" >"$1/view.rviz"
   start "$1/rviz.log" rviz -d "$1/view.rviz" __name:=demo_view
-  await 60 "rviz (see $1/rviz.log)" bash -c "rostopic info $NODE/particles | grep -q demo_view"
+  await 60 "rviz (see $1/rviz.log)" bash -c "rostopic info $NODE/surface | grep -q demo_view"
   sleep 5 # the first frames: shaders, docks, the window's final size
 }
 

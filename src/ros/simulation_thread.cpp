@@ -7,6 +7,7 @@
 #include "ice_ice_baby/each_collider.h"
 #include "ice_ice_baby/errors.h"
 #include "ice_ice_baby/source_warning.h"
+#include "stage.h"
 
 namespace ice_ice_baby {
 
@@ -182,6 +183,8 @@ void SimulationThread::install(std::unique_ptr<Simulation> simulation,
   latest_.colliders.clear();
   forEachCollider(simulation_->scene(),
                   [this](const Collider& c) { latest_.colliders.push_back(c.name); });
+  latest_.spacing_m = simulation_->scene().fluid.spacing_m;
+  latest_.view = stageOf(simulation_->scene()).cast<double>();
   const bool paced = options_.real_time_factor > 0.0;
   pacer_.setInterval(paced ? frameTime_s(*simulation_) / options_.real_time_factor : 0.0);
   updateSnapshot();
@@ -270,7 +273,6 @@ void SimulationThread::updateSnapshot() {
   latest_.scene = scene.name;
   latest_.preset = scene.preset;
   latest_.precision = simulation_->precision();
-  latest_.spacing_m = scene.fluid.spacing_m;
   latest_.thermal = scene.thermal.enabled;
   latest_.thermal_speedup_wanted = scene.thermal.speedup;
   latest_.gravity_m_s2 = scene.gravity_m_s2;

@@ -24,6 +24,7 @@ struct Snapshot {
   Precision precision = Precision::kFloat;
   Vec3d gravity_m_s2 = Vec3d::Zero();
   double spacing_m = 0.0;
+  Eigen::AlignedBox3d view;             ///< box that a view of the scene should show
   bool thermal = false;                 ///< whether each particle has a temperature of its own
   double thermal_speedup_wanted = 0.0;  ///< thermal.speedup of the scene
   std::vector<std::string> colliders;   ///< names

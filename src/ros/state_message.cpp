@@ -36,6 +36,10 @@ State stateMessage(const Snapshot& snapshot, const std_msgs::Header& header) {
   state.paused = snapshot.paused;
   state.state_hash = snapshot.state_hash;
   state.spacing_m = snapshot.spacing_m;
+  if (!snapshot.view.isEmpty()) {
+    state.view_low = pointMessage(snapshot.view.min());
+    state.view_high = pointMessage(snapshot.view.max());
+  }
   state.thermal = snapshot.thermal;
   if (snapshot.thermal) state.targets = snapshot.colliders;
   state.gravity = vectorMessage(snapshot.gravity_m_s2);

@@ -8,27 +8,20 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <stdexcept>
 
+#include "alpha_property.h"
+#include "beside.h"
+
 namespace ice_ice_baby {
-namespace {
-
-rviz::FloatProperty* makeAlpha(const char* name, float value, const char* meaning,
-                               rviz::Display* parent) {
-  auto* alpha = new rviz::FloatProperty(name, value, meaning, parent, SLOT(restyle()));
-  alpha->setMin(0.0F);
-  alpha->setMax(1.0F);
-  return alpha;
-}
-
-}  // namespace
 
 ParticlesDisplay::ParticlesDisplay()
-    : size_m_(new rviz::FloatProperty("Size (m)", 0.018F, "Diameter of a particle.", this,
+    : size_m_(new rviz::FloatProperty("Size (m)", 0.0F,
+                                      "Diameter of a particle; 0: the spacing of the scene.", this,
                                       SLOT(restyle()))),
       alphas_{makeAlpha("Water Alpha", 0.6F, "Opacity of water.", this),
               makeAlpha("Ice Alpha", 1.0F, "Opacity of ice.", this),
               makeAlpha("Steam Alpha", 0.12F, "Opacity of steam.", this),
               makeAlpha("Solid Alpha", 1.0F, "Opacity of floating solids.", this)} {
-  size_m_->setMin(0.0001F);
+  size_m_->setMin(0.0F);
 }
 
 ParticlesDisplay::~ParticlesDisplay() {
@@ -54,8 +47,21 @@ void ParticlesDisplay::reset() {
   }
 }
 
+void ParticlesDisplay::subscribe() {
+  MFDClass::subscribe();
+  if (!isEnabled() || topic_property_->getTopicStd().empty()) return;
+  states_ = update_nh_.subscribe<State>(
+      topicBeside(topic_property_->getTopicStd(), "state"), 1,
+      [this](const State::ConstPtr& state) { spacing_m_ = static_cast<float>(state->spacing_m); });
+}
+
+void ParticlesDisplay::unsubscribe() {
+  MFDClass::unsubscribe();
+  states_.shutdown();
+}
+
 void ParticlesDisplay::restyle() {
-  const float size_m = size_m_->getFloat();
+  const float size_m = size_m_->getFloat() > 0.0F ? size_m_->getFloat() : spacing_m_;
   const float water = alphas_[indexOf(Phase::kWater)]->getFloat();
   const float ice = alphas_[indexOf(Phase::kIce)]->getFloat();
   const float freezing = water + points_.freezing * (ice - water);

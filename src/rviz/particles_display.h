@@ -2,6 +2,7 @@
 #pragma once
 
 #ifndef Q_MOC_RUN
+#include <ice_ice_baby/State.h>
 #include <rviz/message_filter_display.h>
 #include <sensor_msgs/PointCloud2.h>
 #endif
@@ -34,12 +35,16 @@ class ParticlesDisplay : public rviz::MessageFilterDisplay<sensor_msgs::PointClo
   void restyle();
 
  private:
+  void subscribe() override;
+  void unsubscribe() override;
   void processMessage(const sensor_msgs::PointCloud2::ConstPtr& message) override;
 
   rviz::FloatProperty* size_m_;
   std::array<rviz::FloatProperty*, std::size(kPhases)> alphas_;               ///< by indexOf(Phase)
   std::array<std::unique_ptr<rviz::PointCloud>, std::size(kPhases)> clouds_;  ///< by indexOf(Phase)
   PhasePoints points_;
+  ros::Subscriber states_;
+  float spacing_m_ = 0.018F;  ///< of the scene, once the state that comes beside the cloud tells it
 };
 
 }  // namespace ice_ice_baby

@@ -238,6 +238,7 @@ TEST(StateMessage, CarriesTheReport) {
   snapshot.precision = Precision::kDouble;
   snapshot.gravity_m_s2 = {0, 0, -2};
   snapshot.spacing_m = 0.015;
+  snapshot.view = Eigen::AlignedBox3d(Vec3d(-1, -2, 0), Vec3d(1, 2, 3));
   snapshot.paused = true;
   const State state = stateMessage(snapshot, std_msgs::Header());
   EXPECT_EQ(state.frame, 12u);
@@ -255,6 +256,8 @@ TEST(StateMessage, CarriesTheReport) {
   EXPECT_EQ(state.precision, "double");
   EXPECT_EQ(state.gravity.z, -2.0);
   EXPECT_EQ(state.spacing_m, 0.015);
+  EXPECT_EQ(state.view_low.y, -2.0);
+  EXPECT_EQ(state.view_high.z, 3.0);
   EXPECT_TRUE(state.paused);
   ASSERT_EQ(state.stages.size(), 1u);
   EXPECT_EQ(state.stages[0].name, "lambda");

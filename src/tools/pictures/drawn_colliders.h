@@ -6,12 +6,6 @@
 
 namespace ice_ice_baby {
 
-/// Box that holds everything in the scene that has an end.
-Eigen::AlignedBox3f boundsOf(const Scene& scene);
-
-/// Box that holds its colliders but grounds without end; without a container what boundsOf has.
-Eigen::AlignedBox3f stageOf(const Scene& scene);
-
 /// Those that hide what is behind them: grounds of opacity 1, and objects.
 void drawOpaqueColliders(const Simulation& simulation, Canvas& canvas);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pictures/drawn_colliders.h"
+#include "stage.h"
 
 namespace ice_ice_baby {
 

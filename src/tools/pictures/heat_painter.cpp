@@ -6,6 +6,7 @@
 
 #include "pictures/caption.h"
 #include "pictures/drawn_colliders.h"
+#include "stage.h"
 
 namespace ice_ice_baby {
 

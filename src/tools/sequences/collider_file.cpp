@@ -5,6 +5,7 @@
 
 #include "base/written_file.h"
 #include "ice_ice_baby/collider_mesh.h"
+#include "stage.h"
 
 namespace ice_ice_baby {
 
