@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ice_ice_baby/camera_params.h"
 #include "ice_ice_baby/collider_params.h"
 #include "ice_ice_baby/flow_params.h"
 #include "ice_ice_baby/params.h"
@@ -109,6 +110,7 @@ struct Scene : ColliderLists {
   std::vector<Drain> drains;
   std::vector<HeatRegionParams> heat_regions;
   std::vector<Solid> solids;
+  std::vector<Camera> cameras;
 
   /// Support radius h in force, m, with 0 resolved.
   double supportRadius_m() const;

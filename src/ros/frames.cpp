@@ -51,6 +51,12 @@ void Frames::sceneStarted(const Simulation& simulation, const ros::Time& stamp,
     const Posed pose = simulation.colliderPose(collider.name);
     message.transforms.push_back(transform(scene_frame_, frameOf(collider.name), pose, stamp));
   });
+  for (const Camera& camera : simulation.scene().cameras) {
+    if (!camera.follow_frame.empty()) continue;
+    own.insert(frameOf(camera.name));
+    message.transforms.push_back(
+        transform(scene_frame_, frameOf(camera.name), camera.pose(), stamp));
+  }
   for (const Solid& solid : simulation.scene().solids) own.insert(frameOf(solid.name));
   own_.set(std::move(own));
   for (const auto& fixed : message.transforms) followers_.addOwn(fixed, true);

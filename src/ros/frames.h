@@ -50,7 +50,7 @@ class Frames {
   std::string clash() const { return clash_.clash(); }
 
  private:
-  std::string frameOf(const std::string& collider) const { return scene_frame_ + "/" + collider; }
+  std::string frameOf(const std::string& part) const { return scene_frame_ + "/" + part; }
 
   const std::string parent_;
   const std::string scene_frame_;

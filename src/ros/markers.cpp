@@ -4,6 +4,7 @@
 
 #include "geometry.h"
 #include "ice_ice_baby/collider_mesh.h"
+#include "particle_colour.h"
 
 namespace ice_ice_baby {
 
@@ -12,13 +13,9 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-struct Colour {
-  float red, green, blue;
-};
 constexpr Colour kGlass{0.60f, 0.75f, 0.85f};
 constexpr Colour kGround{0.55f, 0.55f, 0.55f};
 constexpr Colour kObject{0.85f, 0.55f, 0.30f};
-constexpr Colour kSolid{0.80f, 0.52f, 0.28f};
 constexpr Colour kEdge{0.90f, 0.95f, 1.00f};
 constexpr Colour kSpring{0.20f, 0.45f, 0.85f};
 
@@ -137,7 +134,7 @@ MarkerArray solidMarkers(const Scene& scene, const std_msgs::Header& header) {
   forEachSolidMesh(scene, {}, [&](const Solid& solid, const ColliderMesh& mesh) {
     if (solid.opacity == 0.0) return;
     array.markers.push_back(
-        makeMarker(header, solid.name, 0, Marker::TRIANGLE_LIST, kSolid, solid.opacity));
+        makeMarker(header, solid.name, 0, Marker::TRIANGLE_LIST, kSolidColour, solid.opacity));
     fillSurface(mesh, array.markers.back());
   });
   return array;

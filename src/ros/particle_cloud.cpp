@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "byte_order.h"
 #include "particle_colour.h"
 
 namespace ice_ice_baby {
@@ -41,13 +42,6 @@ std::vector<PointField> fields(bool rgb) {
   out.push_back(field("phase", offsetof(ParticleSample, phase), PointField::UINT8));
   if (rgb) out.push_back(field("rgb", sizeof(ParticleSample), PointField::FLOAT32));
   return out;
-}
-
-bool bigEndian() {
-  const std::uint16_t one = 1;
-  unsigned char first;
-  std::memcpy(&first, &one, 1);
-  return first == 0;
 }
 
 /// Points of sample and colour, one after the other.

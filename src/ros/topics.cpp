@@ -21,6 +21,7 @@ Topics::Topics(ros::NodeHandle& node, const NodeParameters& parameters)
       vessels_(parameters.vessels_rate_hz),
       wrenches_(node, parameters.scene_frame, parameters.wrenches_rate_hz),
       solids_(node, parameters.scene_frame, parameters.solids_rate_hz),
+      cameras_(node, parameters.scene_frame),
       publisher_({[this] { publishParticles(); }, [this] { publishSprings(); },
                   [this] { publishColliders(); }, [this] { publishState(); },
                   [this] { publishVessels(); }}) {
@@ -40,6 +41,7 @@ void Topics::sceneStarted(const Simulation& simulation) {
   scene_started_ = true;
   wrenches_.sceneStarted(simulation);
   solids_.sceneStarted(simulation);
+  cameras_.sceneStarted(simulation);
   scene_ = std::make_shared<const Scene>(simulation.scene());
 }
 
@@ -72,6 +74,7 @@ void Topics::publish(const Simulation& simulation, const Snapshot& snapshot, con
   }
   if (due(kVessels, vessels_, vessel_news_, true)) takeVessels(simulation, stamp);
   solids_.publish(simulation, stamp, settled);
+  cameras_.publish(simulation, stamp, settled);
   if (wrenches_.publish(simulation, stamp, wrench_news_.any, wrench_news_.last)) wrench_news_ = {};
 }
 

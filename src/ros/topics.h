@@ -1,5 +1,5 @@
-// The topics that follow the simulation: particles, springs, colliders, state, vessels, wrenches
-// and floating solids.
+// The topics that follow the simulation: particles, springs, colliders, state, vessels, wrenches,
+// floating solids and cameras.
 #pragma once
 
 #include <sensor_msgs/PointCloud2.h>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "camera_topics.h"
 #include "parameters.h"
 #include "particle_cloud.h"
 #include "publisher_thread.h"
@@ -78,8 +79,9 @@ class Topics {
   RatedTopic colliders_;
   RatedTopic state_;
   RatedTopic vessels_;
-  WrenchTopics wrenches_;  ///< simulation's thread, like the next one
+  WrenchTopics wrenches_;  ///< simulation's thread, like the next two
   SolidTopics solids_;
+  CameraTopics cameras_;
 
   // Simulation's thread.
   News particle_news_, spring_news_, collider_news_, state_news_, vessel_news_, wrench_news_;

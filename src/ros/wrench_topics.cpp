@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <boost/make_shared.hpp>
-#include <cctype>
 #include <utility>
 
 #include "ice_ice_baby/each_collider.h"
+#include "topic_name.h"
 
 namespace ice_ice_baby {
 
@@ -24,22 +24,14 @@ void set(const Vec3d& from, geometry_msgs::Vector3& to) {
 
 }  // namespace
 
-std::string wrenchTopicName(const std::string& collider) {
-  std::string name = collider;
-  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '/'; };
-  std::replace_if(
-      name.begin(), name.end(), [&](unsigned char c) { return !allowed(c); }, '_');
-  return "wrenches/" + name;
-}
-
 WrenchTopics::WrenchTopics(const ros::NodeHandle& node, std::string scene_frame, double rate_hz)
     : node_(node), scene_frame_(std::move(scene_frame)), rate_hz_(rate_hz), gate_(rate_hz) {}
 
 void WrenchTopics::sceneStarted(const Simulation& simulation) {
   std::vector<ros::Publisher> publishers;
   forEachCollider(simulation.scene(), [&](const Collider& collider) {
-    publishers.push_back(
-        node_.advertise<geometry_msgs::WrenchStamped>(wrenchTopicName(collider.name), kQueue));
+    publishers.push_back(node_.advertise<geometry_msgs::WrenchStamped>(
+        "wrenches/" + topicNameOf(collider.name), kQueue));
   });
   publishers_ = std::move(publishers);  // a topic of the same name has never been away
   measuring_ = false;

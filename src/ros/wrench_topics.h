@@ -38,7 +38,4 @@ class WrenchTopics {
   bool sent_ = false;  ///< since the latest frame began
 };
 
-/// Name of a topic for a collider: what a ROS name may not contain becomes an underscore.
-std::string wrenchTopicName(const std::string& collider);
-
 }  // namespace ice_ice_baby

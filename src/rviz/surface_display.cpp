@@ -22,10 +22,6 @@ namespace {
 /// A particle of steam is drawn so much wider than the spacing, so that steam is a haze.
 constexpr float kSteamWidth = 4.0F;
 
-/// Ice grows by so many spacings, which covers the surface of the water that touches it: the two
-/// are the same within the noise of the particles.
-constexpr float kIceGrowth = 0.25F;
-
 /// Whether every list of a mesh has an entry for each vertex, and triangles name only those.
 bool isWhole(const SurfaceMesh& mesh) {
   const std::size_t count = mesh.vertices.size();
@@ -115,8 +111,8 @@ void SurfaceDisplay::processMessage(const Surface::ConstPtr& message) {
       QString("%1 triangles").arg(message->water.triangles.size() + message->ice.triangles.size()));
   scene_node_->setPosition(position);
   scene_node_->setOrientation(orientation);
-  water_->show(message->water, message->thermal);
-  ice_->show(message->ice, message->thermal, kIceGrowth * message->spacing_m);
+  water_->show(message->water, message->thermal, message->spacing_m);
+  ice_->show(message->ice, message->thermal, message->spacing_m);
   drawSteam(*message);
   context_->queueRender();
 }

@@ -20,6 +20,10 @@ Ogre::ColourValue colourOf(std::uint32_t packed) {
 /// Water is drawn after everything that can be seen through it.
 constexpr std::uint8_t kWaterQueue = Ogre::RENDER_QUEUE_MAIN + 1;
 
+/// Where ice and water touch, their surfaces are the same within the noise of the particles. Ice
+/// grows, and the far sides of water step back, by so many spacings, so that ice covers the water.
+constexpr float kIceGrowth = 0.25F, kFarSides = 0.75F;
+
 }  // namespace
 
 SurfaceObject::SurfaceObject(Ogre::SceneManager& manager, Ogre::SceneNode& parent, Phase phase)
@@ -37,8 +41,10 @@ SurfaceObject::~SurfaceObject() {
   Ogre::MaterialManager::getSingleton().remove(material_);
 }
 
-void SurfaceObject::show(const SurfaceMesh& mesh, bool thermal, float grown_m) {
-  if (mesh.triangles.empty()) return clear();
+void SurfaceObject::show(const SurfaceMesh& mesh, bool thermal, float spacing_m) {
+  if (mesh.triangles.empty() || opacity_ == 0.0F) return clear();
+  const float grown_m = phase_ == Phase::kIce ? kIceGrowth * spacing_m : 0.0F;
+  if (phase_ == Phase::kWater) setFarSidesBehind(material_, kFarSides * spacing_m);
   object_->estimateVertexCount(mesh.vertices.size());
   object_->estimateIndexCount(3 * mesh.triangles.size());
   if (shown_) {

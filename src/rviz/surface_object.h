@@ -19,8 +19,7 @@ class SurfaceObject {
 
   /// Replaces what was shown before.
   /// @param thermal whether there is heat, which colours the water
-  /// @param grown_m how far vertices are moved outwards
-  void show(const SurfaceMesh& mesh, bool thermal, float grown_m = 0.0F);
+  void show(const SurfaceMesh& mesh, bool thermal, float spacing_m);
   void clear();
   /// 0 hides it.
   void setOpacity(float opacity);
@@ -30,6 +29,7 @@ class SurfaceObject {
   const Phase phase_;
   const Ogre::MaterialPtr material_;
   Ogre::ManualObject* object_;
+  float opacity_ = 1.0F;
   bool shown_ = false;  ///< whether `object_` has triangles
 };
 

@@ -17,11 +17,13 @@ constexpr const char* kFragmentProgram = "ice_ice_baby/surface_fragment";
 
 constexpr const char* kVertexSource = R"(#version 120
 uniform mat4 to_screen, to_world;
+uniform vec3 eye;
+uniform float behind;
 varying vec3 place, normal;
 varying vec4 colour;
 void main() {
-  gl_Position = to_screen * gl_Vertex;
   place = (to_world * gl_Vertex).xyz;
+  gl_Position = to_screen * vec4(place + behind * normalize(place - eye), 1.0);
   normal = mat3(to_world) * gl_Normal;
   colour = gl_Color;
 }
@@ -66,7 +68,9 @@ void shade(Ogre::Pass* pass) {
   pass->setVertexProgram(kVertexProgram);
   pass->setFragmentProgram(kFragmentProgram);
   const auto vertex = pass->getVertexProgramParameters();
-  vertex->setNamedAutoConstant("to_screen", Ogre::GpuProgramParameters::ACT_WORLDVIEWPROJ_MATRIX);
+  vertex->setNamedAutoConstant("to_screen", Ogre::GpuProgramParameters::ACT_VIEWPROJ_MATRIX);
+  vertex->setNamedAutoConstant("eye", Ogre::GpuProgramParameters::ACT_CAMERA_POSITION);
+  vertex->setNamedConstant("behind", 0.0F);
   vertex->setNamedAutoConstant("to_world", Ogre::GpuProgramParameters::ACT_WORLD_MATRIX);
   pass->getFragmentProgramParameters()->setNamedAutoConstant(
       "eye", Ogre::GpuProgramParameters::ACT_CAMERA_POSITION);
@@ -85,8 +89,8 @@ void drawInLayers(Ogre::Technique* technique) {
   blend(far);
   far->setCullingMode(Ogre::CULL_ANTICLOCKWISE);
   Ogre::Pass* depth = technique->createPass();
+  shade(depth);
   depth->setColourWriteEnabled(false);
-  depth->setLightingEnabled(false);
   Ogre::Pass* near = technique->createPass();
   blend(near);
 }
@@ -113,6 +117,11 @@ void setOpacity(const Ogre::MaterialPtr& material, float opacity) {
     if (!pass->hasFragmentProgram()) continue;
     pass->getFragmentProgramParameters()->setNamedConstant("opacity", opacity);
   }
+}
+
+void setFarSidesBehind(const Ogre::MaterialPtr& material, float behind_m) {
+  material->getTechnique(0)->getPass(0)->getVertexProgramParameters()->setNamedConstant("behind",
+                                                                                        behind_m);
 }
 
 }  // namespace ice_ice_baby

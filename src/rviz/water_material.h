@@ -14,4 +14,7 @@ Ogre::MaterialPtr makeSurfaceMaterial(Phase phase);
 /// Opacity of what faces the eye, 0 ... 1; edges reflect more and hide more.
 void setOpacity(const Ogre::MaterialPtr& material, float opacity);
 
+/// Draws far sides of water so much farther away that what touches them covers them; m.
+void setFarSidesBehind(const Ogre::MaterialPtr& material, float behind_m);
+
 }  // namespace ice_ice_baby

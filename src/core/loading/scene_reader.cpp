@@ -180,12 +180,8 @@ void nameAll(Scene& scene) {
   nameItems(scene.drains, "drain");
   nameItems(scene.heat_regions, "heat_region");
   nameItems(scene.solids, "solid");
-}
-
-void nameGauges(Scene& scene) {
-  for (std::size_t k = 0; k < scene.gauges.size(); ++k) {
-    if (scene.gauges[k].name.empty()) scene.gauges[k].name = "gauge_" + std::to_string(k);
-  }
+  nameItems(scene.gauges, "gauge");
+  nameItems(scene.cameras, "camera");
 }
 
 /// Puts a block of its own in place of every copy.
@@ -238,7 +234,6 @@ Scene readScene(const YAML::Node& tree, const SceneHome& home) {
     applyPreset(scene, chosen.preset, chosen.fluid.spacing_m);
     read(tree, "", scene);
     nameAll(scene);
-    nameGauges(scene);
     expandCopies(scene);
     placeInFrames(scene);
     findMeshFiles(scene, home.folder, home.meshes);

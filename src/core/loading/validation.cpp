@@ -9,6 +9,7 @@
 #include "ice_ice_baby/scene_keys.h"
 #include "loading/bounds_check.h"
 #include "loading/flow_check.h"
+#include "loading/cameras_check.h"
 #include "loading/gauges_check.h"
 #include "loading/heat_regions_check.h"
 #include "loading/solids_check.h"
@@ -179,6 +180,7 @@ void validate(const Scene& scene) {
   requireBounds(scene);
   requireFlow(scene);
   requireHeatRegions(scene);
+  requireCameras(scene);
   requireFluid(scene);
   requireFreeSpawn(scene);
 }
