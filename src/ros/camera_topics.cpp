@@ -52,21 +52,22 @@ CameraTopics::CameraTopics(const ros::NodeHandle& node, std::string scene_frame)
 
 void CameraTopics::sceneStarted(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
-  if (scene.cameras.empty()) {
-    cameras_.reset();
-    return;
-  }
+  if (scene.cameras.empty()) return end();
   if (!castsRays() || !makesSurfaces()) {
     ROS_ERROR("The cameras of the scene are left out: this program was built without %s",
               castsRays() ? "libopenvdb-dev" : "libembree-dev");
-    cameras_.reset();
-    return;
+    return end();
   }
   const auto cameras = std::make_shared<Cameras>(scene);
   for (const Camera& camera : scene.cameras) {
     cameras->topics.push_back(std::make_unique<Topic>(node_, camera));
   }
   cameras_ = cameras;  // a topic of the same name has never been away
+}
+
+void CameraTopics::end() {
+  cameras_.reset();
+  listening_.want(false);
 }
 
 /// Whether there is news and it is time for it, or a subscriber is new. An eye that moves sees
@@ -83,11 +84,7 @@ bool CameraTopics::due(Topic& topic, std::uint64_t frame, bool last) {
 }
 
 void CameraTopics::publish(const Simulation& simulation, const ros::Time& stamp, bool last) {
-  if (!cameras_) {
-    listening_.want(false);
-    return;
-  }
-  if (thread_.busy(0)) return;
+  if (!cameras_ || thread_.busy(0)) return;
   std::vector<const Topic*> wanted;
   bool follows = false;
   for (const auto& topic : cameras_->topics) {

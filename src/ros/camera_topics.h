@@ -51,6 +51,7 @@ class CameraTopics {
     std::vector<std::unique_ptr<Topic>> topics;
   };
 
+  void end();
   static bool due(Topic& topic, std::uint64_t frame, bool last);
   void makePictures();
   void makePicture(RayScene& rays, const Topic& topic);
@@ -58,7 +59,7 @@ class CameraTopics {
 
   ros::NodeHandle node_;
   const std::string scene_frame_;
-  std::shared_ptr<Cameras> cameras_;  ///< of the scene; simulation's thread
+  std::shared_ptr<Cameras> cameras_;  ///< simulation's thread; null without cameras
 
   /// Written by the simulation's thread while the other is not busy, read by that while it is.
   struct {

@@ -10,7 +10,8 @@
 namespace ice_ice_baby {
 
 Topics::Topics(ros::NodeHandle& node, const NodeParameters& parameters)
-    : scene_frame_(parameters.scene_frame),
+    : node_(node),
+      scene_frame_(parameters.scene_frame),
       rgb_(parameters.particles_rgb),
       stride_(static_cast<std::size_t>(parameters.particles_stride)),
       springs_max_(static_cast<std::size_t>(parameters.springs_max)),
@@ -21,7 +22,6 @@ Topics::Topics(ros::NodeHandle& node, const NodeParameters& parameters)
       vessels_(parameters.vessels_rate_hz),
       wrenches_(node, parameters.scene_frame, parameters.wrenches_rate_hz),
       solids_(node, parameters.scene_frame, parameters.solids_rate_hz),
-      cameras_(node, parameters.scene_frame),
       publisher_({[this] { publishParticles(); }, [this] { publishSprings(); },
                   [this] { publishColliders(); }, [this] { publishState(); },
                   [this] { publishVessels(); }}) {
@@ -41,8 +41,14 @@ void Topics::sceneStarted(const Simulation& simulation) {
   scene_started_ = true;
   wrenches_.sceneStarted(simulation);
   solids_.sceneStarted(simulation);
-  cameras_.sceneStarted(simulation);
+  startCameras(simulation);
   scene_ = std::make_shared<const Scene>(simulation.scene());
+}
+
+void Topics::startCameras(const Simulation& simulation) {
+  if (!cameras_ && simulation.scene().cameras.empty()) return;
+  if (!cameras_) cameras_ = std::make_unique<CameraTopics>(node_, scene_frame_);
+  cameras_->sceneStarted(simulation);
 }
 
 void Topics::frameBegins(Simulation& simulation) {
@@ -74,7 +80,7 @@ void Topics::publish(const Simulation& simulation, const Snapshot& snapshot, con
   }
   if (due(kVessels, vessels_, vessel_news_, true)) takeVessels(simulation, stamp);
   solids_.publish(simulation, stamp, settled);
-  cameras_.publish(simulation, stamp, settled);
+  if (cameras_) cameras_->publish(simulation, stamp, settled);
   if (wrenches_.publish(simulation, stamp, wrench_news_.any, wrench_news_.last)) wrench_news_ = {};
 }
 

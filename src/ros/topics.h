@@ -70,6 +70,9 @@ class Topics {
   void publishState();
   void publishVessels();
 
+  void startCameras(const Simulation& simulation);
+
+  ros::NodeHandle node_;
   const std::string scene_frame_;
   const bool rgb_;
   const std::size_t stride_;
@@ -81,7 +84,7 @@ class Topics {
   RatedTopic vessels_;
   WrenchTopics wrenches_;  ///< simulation's thread, like the next two
   SolidTopics solids_;
-  CameraTopics cameras_;
+  std::unique_ptr<CameraTopics> cameras_;  ///< from the first scene with cameras on
 
   // Simulation's thread.
   News particle_news_, spring_news_, collider_news_, state_news_, vessel_news_, wrench_news_;

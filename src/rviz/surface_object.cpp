@@ -73,6 +73,10 @@ void SurfaceObject::clear() {
   shown_ = false;
 }
 
-void SurfaceObject::setOpacity(float opacity) { ice_ice_baby::setOpacity(material_, opacity); }
+void SurfaceObject::setOpacity(float opacity) {
+  opacity_ = opacity;
+  if (opacity_ == 0.0F) clear();
+  ice_ice_baby::setOpacity(material_, opacity);
+}
 
 }  // namespace ice_ice_baby

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "ice_ice_baby/samples.h"
@@ -21,6 +22,7 @@ struct FluidSurface {
   std::vector<Vec3<float>> velocities;  ///< m/s
   std::vector<float> temperatures_c;    ///< degrees Celsius
   std::vector<float> ice_fractions;     ///< by mass, 0 ... 1
+  std::vector<std::uint32_t> colours;   ///< 0x00RRGGBB, for files; set by who writes them
 
   /// Enclosed volume, m^3, and area, m^2.
   double volume_m3() const;

@@ -1,6 +1,7 @@
 #include "surface_file.h"
 
 #include <cstdio>
+#include <initializer_list>
 
 #include "base/written_file.h"
 
@@ -20,8 +21,9 @@ void append(std::string& bytes, const Vec3<float>& vector) {
   for (int axis = 0; axis < 3; ++axis) append(bytes, vector[axis]);
 }
 
-void addProperty(std::string& header, const char* name) {
-  header += std::string("property float ") + name + "\n";
+void addProperties(std::string& header, const char* type,
+                   std::initializer_list<const char*> names) {
+  for (const char* name : names) header += std::string("property ") + type + " " + name + "\n";
 }
 
 }  // namespace
@@ -30,19 +32,22 @@ void writePly(const std::string& path, const FluidSurface& surface) {
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment metres, degrees Celsius\n";
   bytes += "element vertex " + std::to_string(surface.vertices.size()) + "\n";
   const bool values = !surface.temperatures_c.empty();
-  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) addProperty(bytes, name);
-  if (values) {
-    for (const char* name : {"vx", "vy", "vz", "temperature", "ice"}) addProperty(bytes, name);
-  }
+  const bool colours = !surface.colours.empty();
+  addProperties(bytes, "float", {"x", "y", "z", "nx", "ny", "nz"});
+  if (values) addProperties(bytes, "float", {"vx", "vy", "vz", "temperature", "ice"});
+  if (colours) addProperties(bytes, "uchar", {"red", "green", "blue"});
   bytes += "element face " + std::to_string(surface.triangles.size()) + "\n";
   bytes += "property list uchar int vertex_indices\nend_header\n";
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
     append(bytes, surface.vertices[v]);
     append(bytes, surface.normals[v]);
-    if (!values) continue;
-    append(bytes, surface.velocities[v]);
-    append(bytes, surface.temperatures_c[v]);
-    append(bytes, surface.ice_fractions[v]);
+    if (values) {
+      append(bytes, surface.velocities[v]);
+      append(bytes, surface.temperatures_c[v]);
+      append(bytes, surface.ice_fractions[v]);
+    }
+    if (!colours) continue;
+    for (const int shift : {16, 8, 0}) append(bytes, std::uint8_t(surface.colours[v] >> shift));
   }
   for (const auto& corners : surface.triangles) {
     append(bytes, std::uint8_t(3));

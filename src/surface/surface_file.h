@@ -8,7 +8,7 @@
 namespace ice_ice_baby {
 
 /// Binary PLY with the normal of each vertex and, if the surface has them, velocity, `temperature`
-/// and `ice`.
+/// and `ice`, and colours.
 /// @throws InvalidInput if the file cannot be written
 void writePly(const std::string& path, const FluidSurface& surface);
 

@@ -62,6 +62,26 @@ class Sequences(RunSceneCase):
             ["colliders.obj", "water.ply.series", "water_00000.ply"],
         )
 
+    def test_surfaces_of_a_scene_with_heat_have_colours(self):
+        out = self.folder / "warm"
+        result = self.run_scene(
+            self.scene,
+            "--surface",
+            out,
+            "--duration",
+            0.02,
+            "--set",
+            "thermal.enabled=true",
+            "--set",
+            "temperature.initial_c=100",
+        )
+        if "libopenvdb-dev" in result.stderr:
+            self.skipTest("this build makes no surfaces")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        values = meshio.read(out / "water_00000.ply").point_data
+        red, blue = values["red"].astype(int), values["blue"].astype(int)
+        self.assertGreater((red - blue).min(), 50)  # boiling water is red
+
     def test_unknown_formats_are_refused(self):
         self.assertIn(
             "must be vtk or ply",

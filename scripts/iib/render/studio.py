@@ -22,6 +22,8 @@ GROUND_COLOUR, OBJECT_COLOUR, SOLID_COLOUR = (
     (0.30, 0.32, 0.36),
     (0.75, 0.38, 0.14),
 )
+HEAT_SHARE = 0.55  # of the colour by temperature in that of water, in scenes with heat
+STEAM_THICKNESS = 6.0  # how much of light a scene's size of steam scatters
 SKY_COLOUR, SKY_STRENGTH = (0.45, 0.62, 0.85), 0.35
 LAMPS = (  # place and width in sizes of the scene, power in watts per square metre of that size
     ((-1.2, -1.0, 2.0), 1.0, 110.0),
@@ -73,9 +75,22 @@ def glass(nodes, ior, roughness, colour=(1.0, 1.0, 1.0)):
     return shader
 
 
-def water(size_m):
+def colour_by_temperature(nodes, links, shader):
+    """White mixed with the colours of the vertices, which surfaces of scenes with heat have."""
+    vertex = nodes.new("ShaderNodeVertexColor")
+    mix = nodes.new("ShaderNodeMixRGB")
+    mix.inputs["Fac"].default_value = HEAT_SHARE
+    mix.inputs["Color1"].default_value = (1.0, 1.0, 1.0, 1.0)
+    links.new(vertex.outputs["Color"], mix.inputs["Color2"])
+    links.new(mix.outputs["Color"], shader.inputs["Color"])
+
+
+def water(size_m, heat):
     nodes, links, out, material = new_material("water")
-    shader = see_through(nodes, links, glass(nodes, WATER_IOR, 0.0), WATER_TINT)
+    clear = glass(nodes, WATER_IOR, 0.0)
+    if heat:
+        colour_by_temperature(nodes, links, clear)
+    shader = see_through(nodes, links, clear, WATER_TINT)
     links.new(shader.outputs[0], out.inputs["Surface"])
     inside = nodes.new("ShaderNodeVolumeAbsorption")
     inside.inputs["Color"].default_value = (*WATER_TINT, 1.0)
@@ -94,6 +109,14 @@ def ice():
     links.new(milk.outputs[0], mix.inputs[2])
     shader = see_through(nodes, links, mix, ICE_COLOUR)
     links.new(shader.outputs[0], out.inputs["Surface"])
+    return material
+
+
+def steam(size_m):
+    nodes, links, out, material = new_material("steam")
+    inside = nodes.new("ShaderNodeVolumeScatter")
+    inside.inputs["Density"].default_value = STEAM_THICKNESS / size_m
+    links.new(inside.outputs[0], out.inputs["Volume"])
     return material
 
 
@@ -233,13 +256,14 @@ def main():
         "ice": ice(),
     }
     parts = load_parts(folder / "colliders.obj", materials)
-    series = {name: read_series(folder, f"{name}.ply") for name in ("water", "ice")}
+    series = {name: read_series(folder, f"{name}.ply") for name in ("water", "ice", "steam")}
     first = sorted(series["water"])[0]
     seen = [load_mesh(series["water"][first], materials["ice"])]
+    heat = len(seen[0].data.color_attributes) > 0
     low, high = bounds([p for p in parts if p["look"] in ("glass", "object")] + seen)
     drop(seen)
     middle, size_m = (low + high) / 2, (high - low).length
-    materials["water"] = water(size_m)
+    materials["water"], materials["steam"] = water(size_m, heat), steam(size_m)
     if not any(p["look"] == "ground" for p in parts):
         add_floor(low, size_m, materials["ground"])
     add_light(middle, size_m)

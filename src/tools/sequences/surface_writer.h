@@ -1,4 +1,4 @@
-// Writes the surfaces of water and of ice over a run.
+// Writes the surfaces of water, ice and clouds of steam over a run.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,9 @@ namespace ice_ice_baby {
 
 class SurfaceWriter {
  public:
-  /// Files water_00000.ply, ice_00000.ply from when there is ice, solids_00000.obj in scenes with
-  /// floating solids, and colliders.obj once.
+  /// Files water_00000.ply, ice_00000.ply and steam_00000.ply from when there is any,
+  /// solids_00000.obj in scenes with floating solids, and colliders.obj once. With heat the
+  /// vertices of PLY files have the colours of the particles.
   /// @param format ply or obj
   /// @throws InvalidInput for another format, if the folder cannot be made, or without
   /// libopenvdb-dev
@@ -30,6 +31,8 @@ class SurfaceWriter {
     Phase phase;
     FileSequence files;
   };
+  FluidSurface surfaceOf(Phase phase, const Scene& scene) const;
+
   std::string folder_;
   bool obj_;
   std::vector<Kept> kept_;
