@@ -22,7 +22,7 @@ GROUND_COLOUR, OBJECT_COLOUR, SOLID_COLOUR = (
     (0.30, 0.32, 0.36),
     (0.75, 0.38, 0.14),
 )
-HEAT_SHARE = 0.55  # of the colour by temperature in that of water, in scenes with heat
+HEAT_SHARE = 0.3  # of the colour by temperature in that of water, in scenes with heat
 STEAM_THICKNESS = 6.0  # how much of light a scene's size of steam scatters
 SKY_COLOUR, SKY_STRENGTH = (0.45, 0.62, 0.85), 0.35
 LAMPS = (  # place and width in sizes of the scene, power in watts per square metre of that size
