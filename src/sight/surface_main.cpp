@@ -8,8 +8,9 @@
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "surface");
+  const ros::NodeHandle node, node_private("~");  // nothing is logged after the last handle
   try {
-    const ice_ice_baby::SurfaceNode node{ros::NodeHandle(), ros::NodeHandle("~")};
+    const ice_ice_baby::SurfaceNode surface(node, node_private);
     ros::waitForShutdown();
   } catch (const std::exception& e) {
     ROS_FATAL("%s", e.what());

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The topic `surface`: the volume of the water, the ice after it froze, and nothing unasked."""
 import pathlib
+import subprocess
 import sys
 import unittest
 
@@ -96,6 +97,12 @@ class SurfaceOfTheNode(unittest.TestCase):
             topic.wait()
             self.assertEqual(self.subscribers_of_particles(), 1)
         wait_until(lambda: self.subscribers_of_particles() == 0, "no subscriber again")
+
+    def test_refuses_a_rate_and_says_why(self):
+        command = ["rosrun", "ice_ice_baby", "surface_node", "_rate_hz:=-1", "__name:=refused"]
+        run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=30)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("rate_hz is -1", run.stdout.decode())
 
     def test_as_a_nodelet(self):
         with Latest("/nodelet_sim/surface", Surface) as topic:
