@@ -7,7 +7,7 @@
 
 namespace ice_ice_baby {
 
-/// A pinhole camera that sees depth and what is where: a robot's eye. The water does not notice it.
+/// A pinhole camera that sees depth and what is where. It does not affect the water.
 struct Camera {
   std::string name;
   Vec3d position_m{1.0, -1.0, 1.0};
@@ -42,7 +42,7 @@ void describe(Camera& c, Visitor&& visit) {
   visit("fov_deg", c.fov_deg, Range{5.0, 150.0}, "angle across the width");
   visit("range_m", c.range_m, Range{0.01, 1000.0}, "largest depth that it sees");
   visit("rate_hz", c.rate_hz, Range{0.01, 1000.0},
-        "pictures per second of wall time, at most one per frame");
+        "pictures per second of wall time; without follow_frame at most one per frame");
 }
 
 }  // namespace ice_ice_baby

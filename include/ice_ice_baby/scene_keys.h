@@ -100,7 +100,7 @@ void describe(Scene& s, Visitor&& visit) {
       s, [&](auto& list, const ColliderKind& kind) { visit.list(kind.key, list, kind.meaning); });
   visit.list("solids", s.solids, "rigid bodies that fall, float and collide");
   visit.list("gauges", s.gauges, "boxes without walls in which the water is measured");
-  visit.list("cameras", s.cameras, "robots' eyes: pictures of depth and of what is where");
+  visit.list("cameras", s.cameras, "cameras: pictures of depth, and of what is where");
 }
 
 }  // namespace ice_ice_baby

@@ -24,10 +24,11 @@ struct CameraPicture {
   std::vector<Seen> seen;
 };
 
-/// Whether this program was built with libembree-dev, without which cameras are refused.
+/// Whether this program was built with libembree-dev, without which cameras are left out.
 bool castsRays();
 
-/// Triangles that a ray can hit. Rays are cast by Embree, on the calling thread alone.
+/// Triangles that a ray can hit. Rays are cast by Embree, on the calling thread alone, so that the
+/// solver keeps the others.
 class RayScene {
  public:
   /// @throws InvalidInput if this program casts no rays

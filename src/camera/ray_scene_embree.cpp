@@ -1,8 +1,10 @@
 #include <embree3/rtcore.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 #include "ice_ice_baby/errors.h"
 #include "ray_scene.h"
@@ -58,7 +60,8 @@ void aim(RTCRayHit8& rays, int k, const Vec3<float>& origin, const Vec3<float>& 
 }  // namespace
 
 struct RayScene::Rays {
-  RTCDevice device = rtcNewDevice("threads=1");
+  // A number of threads here would hold for all of oneTBB in this process.
+  RTCDevice device = rtcNewDevice(nullptr);
   RTCScene scene = rtcNewScene(device);
   std::vector<Seen> seen;  ///< by number of geometry
 };
@@ -84,6 +87,7 @@ void RayScene::add(const std::vector<Vec3<float>>& vertices,
   auto* corners = static_cast<unsigned*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                               3 * sizeof(unsigned), triangles.size()));
+  if (!places || !corners) throw std::bad_alloc();
   for (const Vec3<float>& v : vertices) places = std::copy_n(v.data(), 3, places);
   for (const auto& t : triangles) corners = std::copy_n(t.data(), 3, corners);
   rtcCommitGeometry(geometry);
@@ -93,7 +97,7 @@ void RayScene::add(const std::vector<Vec3<float>>& vertices,
 }
 
 CameraPicture RayScene::picture(const Camera& camera, const Posed& pose) {
-  rtcCommitScene(rays_->scene);
+  tbb::task_arena(1).execute([this] { rtcJoinCommitScene(rays_->scene); });
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;

@@ -9,7 +9,7 @@
 
 namespace ice_ice_baby {
 
-/// Depth along the optical axis in metres, 32FC1, NaN where nothing is seen (REP 118).
+/// Depth along the optical axis in metres, 32FC1, NaN where nothing is seen.
 sensor_msgs::Image depthMessage(const CameraPicture& picture, const std_msgs::Header& header);
 
 /// What each pixel shows, 16UC1: 0 nothing, 1 water, 2 ice, 3 solid.

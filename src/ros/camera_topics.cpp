@@ -30,11 +30,13 @@ void addSurface(RayScene& rays, const std::vector<ParticleSample>& samples, Phas
 
 }  // namespace
 
-CameraTopics::Topic::Topic(ros::NodeHandle& node, const Camera& of) : camera(of), gate(of.rate_hz) {
+CameraTopics::Topic::Topic(ros::NodeHandle& node, const Camera& of)
+    : camera(of), joined(std::make_shared<std::atomic<bool>>(false)), gate(of.rate_hz) {
   const std::string name = "cameras/" + topicNameOf(camera.name);
-  depth = node.advertise<sensor_msgs::Image>(name + "/depth/image_raw", kQueue);
+  const auto joins = [flag = joined](const ros::SingleSubscriberPublisher&) { *flag = true; };
+  depth = node.advertise<sensor_msgs::Image>(name + "/depth/image_raw", kQueue, joins);
   depth_info = node.advertise<sensor_msgs::CameraInfo>(name + "/depth/camera_info", kQueue);
-  label = node.advertise<sensor_msgs::Image>(name + "/label/image_raw", kQueue);
+  label = node.advertise<sensor_msgs::Image>(name + "/label/image_raw", kQueue, joins);
   label_info = node.advertise<sensor_msgs::CameraInfo>(name + "/label/camera_info", kQueue);
 }
 
@@ -50,16 +52,16 @@ CameraTopics::CameraTopics(const ros::NodeHandle& node, std::string scene_frame)
   buffer_.setUsingDedicatedThread(true);
 }
 
-void CameraTopics::sceneStarted(const Simulation& simulation) {
-  const Scene& scene = simulation.scene();
-  if (scene.cameras.empty()) return end();
+void CameraTopics::sceneStarted(const std::shared_ptr<const Scene>& scene) {
+  if (scene->cameras.empty()) return end();
   if (!castsRays() || !makesSurfaces()) {
     ROS_ERROR("The cameras of the scene are left out: this program was built without %s",
               castsRays() ? "libopenvdb-dev" : "libembree-dev");
     return end();
   }
-  const auto cameras = std::make_shared<Cameras>(scene);
-  for (const Camera& camera : scene.cameras) {
+  const auto cameras = std::make_shared<Cameras>();
+  cameras->scene = scene;
+  for (const Camera& camera : scene->cameras) {
     cameras->topics.push_back(std::make_unique<Topic>(node_, camera));
   }
   cameras_ = cameras;  // a topic of the same name has never been away
@@ -70,15 +72,26 @@ void CameraTopics::end() {
   listening_.want(false);
 }
 
-/// Whether there is news and it is time for it, or a subscriber is new. An eye that moves sees
-/// something new of a scene that is paused, too.
+/// Whether it is known where a camera is.
+bool CameraTopics::placed(const Camera& camera) const {
+  std::string why;
+  if (camera.follow_frame.empty() ||
+      buffer_.canTransform(scene_frame_, camera.follow_frame, ros::Time(0), &why)) {
+    return true;
+  }
+  ROS_WARN_DELAYED_THROTTLE(10.0, "Camera %s has no place: %s", camera.name.c_str(), why.c_str());
+  return false;
+}
+
+/// Whether there is news and it is time for it, or a subscriber is new. A camera that follows a
+/// frame may see something else of a scene that is paused.
 bool CameraTopics::due(Topic& topic, std::uint64_t frame, bool last) {
-  const std::uint32_t listeners = topic.depth.getNumSubscribers() + topic.label.getNumSubscribers();
-  const bool joined = listeners > std::exchange(topic.listeners, listeners);
-  if (listeners == 0) return false;
-  const bool news = topic.frame != frame || !topic.camera.follow_frame.empty();
-  if (!joined && !(news && topic.gate.pass(WallClock::now(), last && topic.frame != frame)))
+  const bool moves = !topic.camera.follow_frame.empty();
+  const bool news = topic.frame != frame;
+  const bool joined = topic.joined->exchange(false);
+  if (!joined && !((news || moves) && topic.gate.pass(WallClock::now(), last && news))) {
     return false;
+  }
   topic.frame = frame;
   return true;
 }
@@ -88,13 +101,15 @@ void CameraTopics::publish(const Simulation& simulation, const ros::Time& stamp,
   std::vector<const Topic*> wanted;
   bool follows = false;
   for (const auto& topic : cameras_->topics) {
-    follows = follows || (topic->subscribed() && !topic->camera.follow_frame.empty());
-    if (due(*topic, simulation.report().frame, last)) wanted.push_back(topic.get());
+    if (!topic->subscribed()) continue;
+    follows = follows || !topic->camera.follow_frame.empty();
+    if (placed(topic->camera) && due(*topic, simulation.report().frame, last)) {
+      wanted.push_back(topic.get());
+    }
   }
   listening_.want(follows);
   if (wanted.empty()) return;
   snapshot_.stamp = stamp;
-  snapshot_.spacing_m = simulation.scene().fluid.spacing_m;
   simulation.sample(snapshot_.samples, 1);
   snapshot_.places = SeenShapes::places(simulation);
   snapshot_.cameras = cameras_;
@@ -103,27 +118,23 @@ void CameraTopics::publish(const Simulation& simulation, const ros::Time& stamp,
 }
 
 void CameraTopics::makePictures() {
+  const std::shared_ptr<Cameras> cameras = std::move(snapshot_.cameras);
+  if (!cameras->shapes) cameras->shapes.emplace(*cameras->scene);
+  const double spacing_m = cameras->scene->fluid.spacing_m;
   RayScene rays;
-  addSurface(rays, snapshot_.samples, Phase::kWater, snapshot_.spacing_m, Seen::kWater);
-  addSurface(rays, snapshot_.samples, Phase::kIce, snapshot_.spacing_m, Seen::kIce);
-  snapshot_.cameras->shapes.addTo(rays, snapshot_.places);
+  addSurface(rays, snapshot_.samples, Phase::kWater, spacing_m, Seen::kWater);
+  addSurface(rays, snapshot_.samples, Phase::kIce, spacing_m, Seen::kIce);
+  cameras->shapes->addTo(rays, snapshot_.places);
   for (const Topic* topic : snapshot_.due) makePicture(rays, *topic);
-  snapshot_.cameras.reset();
 }
 
 void CameraTopics::makePicture(RayScene& rays, const Topic& topic) {
   const Camera& camera = topic.camera;
-  const std::optional<Posed> pose = poseNow(camera);
-  if (!pose) {
-    ROS_WARN_THROTTLE(10.0, "Camera %s sees nothing: tf has no frame %s", camera.name.c_str(),
-                      camera.follow_frame.c_str());
-    return;
-  }
   std_msgs::Header header;
   header.stamp = snapshot_.stamp;
   header.frame_id =
       camera.follow_frame.empty() ? scene_frame_ + "/" + camera.name : camera.follow_frame;
-  const CameraPicture picture = rays.picture(camera, *pose);
+  const CameraPicture picture = rays.picture(camera, poseNow(camera));
   const sensor_msgs::CameraInfo info = cameraInfo(camera, header);
   if (topic.depth.getNumSubscribers() > 0) topic.depth.publish(depthMessage(picture, header));
   if (topic.label.getNumSubscribers() > 0) topic.label.publish(labelMessage(picture, header));
@@ -131,18 +142,19 @@ void CameraTopics::makePicture(RayScene& rays, const Topic& topic) {
   topic.label_info.publish(info);
 }
 
-/// That of its stamp if it arrives soon, else the latest one.
-std::optional<Posed> CameraTopics::poseNow(const Camera& camera) const {
+/// That of its stamp if it arrives soon, else the latest one. @throws tf2::TransformException
+Posed CameraTopics::poseNow(const Camera& camera) const {
   if (camera.follow_frame.empty()) return camera.pose();
-  for (int look = 0; look <= kLooks; ++look) {
-    const ros::Time when = look < kLooks ? snapshot_.stamp : ros::Time(0);
-    try {
-      return poseOf(buffer_.lookupTransform(scene_frame_, camera.follow_frame, when).transform);
-    } catch (const tf2::TransformException&) {
-      if (look < kLooks) std::this_thread::sleep_for(kBetweenLooks);
+  const auto at = [&](const ros::Time& when) {
+    return poseOf(buffer_.lookupTransform(scene_frame_, camera.follow_frame, when).transform);
+  };
+  for (int look = 0; look < kLooks; ++look) {
+    if (buffer_.canTransform(scene_frame_, camera.follow_frame, snapshot_.stamp)) {
+      return at(snapshot_.stamp);
     }
+    std::this_thread::sleep_for(kBetweenLooks);
   }
-  return std::nullopt;
+  return at(ros::Time(0));
 }
 
 }  // namespace ice_ice_baby

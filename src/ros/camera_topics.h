@@ -4,6 +4,7 @@
 #include <ros/node_handle.h>
 #include <tf2_ros/buffer.h>
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,7 +30,7 @@ class CameraTopics {
   CameraTopics(const ros::NodeHandle& node, std::string scene_frame);
 
   /// Simulation's thread, like the next one: replaces the topics of an earlier scene.
-  void sceneStarted(const Simulation& simulation);
+  void sceneStarted(const std::shared_ptr<const Scene>& scene);
   /// Takes and hands over a snapshot for the cameras that are due; does not wait.
   /// @param last whether no frame follows by itself
   void publish(const Simulation& simulation, const ros::Time& stamp, bool last);
@@ -41,21 +42,22 @@ class CameraTopics {
 
     Camera camera;
     ros::Publisher depth, depth_info, label, label_info;
+    std::shared_ptr<std::atomic<bool>> joined;  ///< whether a subscriber is new
     RateGate gate;
     std::uint64_t frame = ~std::uint64_t{0};  ///< of the latest picture
-    std::uint32_t listeners = 0;
   };
   struct Cameras {
-    explicit Cameras(const Scene& scene) : shapes(scene) {}
-    SeenShapes shapes;
+    std::shared_ptr<const Scene> scene;
+    std::optional<SeenShapes> shapes;  ///< from the first picture on; thread of this class
     std::vector<std::unique_ptr<Topic>> topics;
   };
 
   void end();
+  bool placed(const Camera& camera) const;
   static bool due(Topic& topic, std::uint64_t frame, bool last);
   void makePictures();
   void makePicture(RayScene& rays, const Topic& topic);
-  std::optional<Posed> poseNow(const Camera& camera) const;
+  Posed poseNow(const Camera& camera) const;
 
   ros::NodeHandle node_;
   const std::string scene_frame_;
@@ -64,7 +66,6 @@ class CameraTopics {
   /// Written by the simulation's thread while the other is not busy, read by that while it is.
   struct {
     ros::Time stamp;
-    double spacing_m = 0.0;
     std::vector<ParticleSample> samples;
     SeenShapes::Places places;
     std::shared_ptr<Cameras> cameras;

@@ -7,7 +7,7 @@ namespace ice_ice_baby {
 
 namespace {
 
-/// Round shapes are rounder than a pixel shows, and grounds go as far as a camera sees.
+/// Round shapes are rounder than a pixel shows, and grounds go on for a kilometre.
 MeshDetail detail() {
   MeshDetail detail;
   detail.round_segments = 128;

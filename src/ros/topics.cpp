@@ -41,14 +41,14 @@ void Topics::sceneStarted(const Simulation& simulation) {
   scene_started_ = true;
   wrenches_.sceneStarted(simulation);
   solids_.sceneStarted(simulation);
-  startCameras(simulation);
   scene_ = std::make_shared<const Scene>(simulation.scene());
+  startCameras();
 }
 
-void Topics::startCameras(const Simulation& simulation) {
-  if (!cameras_ && simulation.scene().cameras.empty()) return;
+void Topics::startCameras() {
+  if (!cameras_ && scene_->cameras.empty()) return;
   if (!cameras_) cameras_ = std::make_unique<CameraTopics>(node_, scene_frame_);
-  cameras_->sceneStarted(simulation);
+  cameras_->sceneStarted(scene_);
 }
 
 void Topics::frameBegins(Simulation& simulation) {

@@ -70,7 +70,7 @@ class Topics {
   void publishState();
   void publishVessels();
 
-  void startCameras(const Simulation& simulation);
+  void startCameras();
 
   ros::NodeHandle node_;
   const std::string scene_frame_;

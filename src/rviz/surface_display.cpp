@@ -22,6 +22,31 @@ namespace {
 /// A particle of steam is drawn so much wider than the spacing, so that steam is a haze.
 constexpr float kSteamWidth = 4.0F;
 
+/// The point that a view turns about; null for views that have none.
+rviz::VectorProperty* focusOf(rviz::ViewController& view) {
+  for (int k = 0; k < view.numChildren(); ++k) {
+    if (view.childAt(k)->getName() != "Focal Point") continue;
+    return dynamic_cast<rviz::VectorProperty*>(view.childAt(k));
+  }
+  return nullptr;
+}
+
+/// Box about what the view of a scene should show, in the fixed frame.
+Eigen::AlignedBox3d boxIn(const State& state, const Ogre::Vector3& position,
+                          const Ogre::Quaternion& orientation) {
+  Eigen::AlignedBox3d box;
+  for (const double x : {state.view_low.x, state.view_high.x}) {
+    for (const double y : {state.view_low.y, state.view_high.y}) {
+      for (const double z : {state.view_low.z, state.view_high.z}) {
+        const Ogre::Vector3 corner =
+            position + orientation * Ogre::Vector3(float(x), float(y), float(z));
+        box.extend(Eigen::Vector3d(corner.x, corner.y, corner.z));
+      }
+    }
+  }
+  return box;
+}
+
 /// Whether every list of a mesh has an entry for each vertex, and triangles name only those.
 bool isWhole(const SurfaceMesh& mesh) {
   const std::size_t count = mesh.vertices.size();
@@ -47,11 +72,7 @@ SurfaceDisplay::SurfaceDisplay()
           "Frame Scene", true, "Move the view when a scene starts, so that all of it is seen.",
           this)) {}
 
-SurfaceDisplay::~SurfaceDisplay() {
-  water_.reset();
-  ice_.reset();
-  steam_.reset();
-}
+SurfaceDisplay::~SurfaceDisplay() = default;
 
 void SurfaceDisplay::onInitialize() {
   MFDClass::onInitialize();
@@ -59,7 +80,7 @@ void SurfaceDisplay::onInitialize() {
   ice_ = std::make_unique<SurfaceObject>(*scene_manager_, *scene_node_, Phase::kIce);
   steam_ = std::make_unique<rviz::PointCloud>();
   steam_->setRenderMode(rviz::PointCloud::RM_SPHERES);
-  scene_node_->createChildSceneNode()->attachObject(steam_.get());
+  scene_node_->attachObject(steam_.get());
   restyle();
 }
 
@@ -132,8 +153,7 @@ void SurfaceDisplay::drawSteam(const Surface& surface) {
 void SurfaceDisplay::frame(const State& state) {
   if (!frame_scene_->getBool() || framed_ == state.scene) return;
   rviz::ViewController* view = context_->getViewManager()->getCurrent();
-  auto* focus =
-      view != nullptr ? dynamic_cast<rviz::VectorProperty*>(view->subProp("Focal Point")) : nullptr;
+  rviz::VectorProperty* focus = view != nullptr ? focusOf(*view) : nullptr;
   Ogre::Vector3 position;
   Ogre::Quaternion orientation;
   if (focus == nullptr || !context_->getFrameManager()->getTransform(
@@ -141,16 +161,14 @@ void SurfaceDisplay::frame(const State& state) {
     return;
   }
   framed_ = state.scene;
-  const Eigen::AlignedBox3d box(
-      Eigen::Vector3d(state.view_low.x, state.view_low.y, state.view_low.z),
-      Eigen::Vector3d(state.view_high.x, state.view_high.y, state.view_high.z));
+  const Eigen::AlignedBox3d box = boxIn(state, position, orientation);
   Orbit orbit;
   orbit.yaw = view->subProp("Yaw")->getValue().toDouble();
   orbit.pitch = view->subProp("Pitch")->getValue().toDouble();
   orbit.view_angle = view->getCamera()->getFOVy().valueRadians();
   orbit.aspect = view->getCamera()->getAspectRatio();
   const Eigen::Vector3f centre = box.center().cast<float>();
-  focus->setVector(position + orientation * Ogre::Vector3(centre.x(), centre.y(), centre.z()));
+  focus->setVector(Ogre::Vector3(centre.x(), centre.y(), centre.z()));
   view->subProp("Distance")->setValue(framingDistance(box, orbit));
 }
 

@@ -69,7 +69,7 @@ class SampleReader {
 std::vector<ParticleSample> readSamples(const sensor_msgs::PointCloud2& cloud) {
   const SampleReader reader(cloud);
   const std::size_t count = std::size_t{cloud.width} * cloud.height;
-  if (cloud.data.size() < count * cloud.point_step) {
+  if (count > cloud.data.size() / cloud.point_step) {
     throw InvalidInput("the point cloud says " + std::to_string(count) + " points and holds fewer");
   }
   std::vector<ParticleSample> samples;

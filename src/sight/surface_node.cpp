@@ -1,5 +1,9 @@
 #include "surface_node.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "cloud_samples.h"
 #include "ice_ice_baby/errors.h"
 #include "surface_message.h"
@@ -17,9 +21,11 @@ double rateOf(const ros::NodeHandle& node_private) {
                      "; it may be above 0 and at most " + numberText(kMaxRate_hz));
 }
 
-/// Particles that are left out leave holes.
-bool holdsEveryParticle(const sensor_msgs::PointCloud2& cloud, const State& state) {
-  return 2 * std::uint64_t{cloud.width} > state.particles;
+/// Whether a state is of the scene of a cloud, and the cloud has all particles: those that are left
+/// out leave holes. Sources and drains change the number between the two.
+bool belong(const sensor_msgs::PointCloud2& cloud, const State& state) {
+  const double particles = state.particles;
+  return std::abs(cloud.width - particles) <= std::max(500.0, particles / 3);
 }
 
 }  // namespace
@@ -69,20 +75,24 @@ void SurfaceNode::takeParticles(const sensor_msgs::PointCloud2::ConstPtr& cloud)
 
 void SurfaceNode::publish() {
   if (!state_ || !waiting_) return;
+  const bool together = belong(*waiting_, *state_);
+  // The next state may be that of a scene that has just been loaded.
+  if (!together && state_->header.stamp <= waiting_->header.stamp) return;
   const auto cloud = std::exchange(waiting_, nullptr);
-  if (!holdsEveryParticle(*cloud, *state_)) {
+  if (!together) {
     ROS_WARN_THROTTLE(10.0, "No surface: %s has %u of %u particles; set particles_stride to 1",
                       particles_.getTopic().c_str(), cloud->width, state_->particles);
     return;
   }
   try {
+    if (!(state_->spacing_m > 0.0)) throw InvalidInput("the state has no spacing_m");
     const auto message =
         boost::make_shared<Surface>(surfaceMessage(readSamples(*cloud), state_->spacing_m));
     message->header = cloud->header;
     message->thermal = state_->thermal;
     if (surface_.getNumSubscribers() > 0) surface_.publish(message);
     if (markers_.getNumSubscribers() > 0) markers_.publish(surfaceMarkers(*message));
-  } catch (const InvalidInput& e) {
+  } catch (const std::exception& e) {  // also of OpenVDB, or out of memory
     ROS_ERROR_THROTTLE(10.0, "No surface: %s", e.what());
   }
 }

@@ -44,6 +44,7 @@ LISTS = {
     "capsules": "capsules=[{name: pill, position_m: [100, 100, -100]}]",
     "cups": "cups=[{name: cup, position_m: [100, 100, -100]}]",
     "gauges": "gauges=[{name: box, size_m: [0.1, 0.1, 0.1]}]",
+    "cameras": "cameras=[{name: eye}]",
     "sources": "sources=[{name: tap, position_m: [0, 0, 5], radius_m: 0.05, speed_m_s: 1}]",
     "heat_regions": "heat_regions=[{name: torch, power_w: 1}]",
     "drains": "drains=[{name: hole, min_m: [-9, -9, -9], max_m: [9, 9, -8]}]",
