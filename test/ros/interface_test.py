@@ -342,22 +342,8 @@ class Interface(unittest.TestCase):
     def test_get_state(self):
         answer = self.node.get_state()
         self.assertTrue(answer.success)
-        self.assertEqual(
-            answer.scenes,
-            [
-                "carried_cup",
-                "coarse_steps",
-                "followed",
-                "gauged",
-                "ice_and_solids",
-                "raft",
-                "slow",
-                "small",
-                "steered",
-                "tap",
-                "warm",
-            ],
-        )
+        scenes = pathlib.Path(__file__).resolve().parent.glob("scenes/*.yaml")
+        self.assertEqual(answer.scenes, sorted(scene.stem for scene in scenes))
         self.assertEqual(
             [t.name for t in answer.state.topics],
             ["/sim/" + t for t in ("particles", "springs", "colliders", "state", "vessels")],
