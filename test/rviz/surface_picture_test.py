@@ -11,9 +11,10 @@ import unittest
 import matplotlib.image
 import rospy
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 from iib.ros.node import Node, wait_until
+
+CONFIG = pathlib.Path(__file__).resolve().parents[2] / "config/rviz/ice_ice_baby.rviz"
 
 SIZE = (800, 600)
 
@@ -35,7 +36,7 @@ class Screen:
             self._env = dict(os.environ, DISPLAY=":" + number.readline().strip())
         self._env.update(LIBGL_ALWAYS_SOFTWARE="1", QT_X11_NO_MITSHM="1", QT_QPA_PLATFORM="xcb")
         self._rviz = subprocess.Popen(
-            ["rviz", "--fullscreen", "-d", str(ROOT / "config/rviz/ice_ice_baby.rviz")],
+            ["rviz", "--fullscreen", "-d", str(CONFIG)],
             env=self._env,
         )
 
