@@ -2,7 +2,6 @@
 
 #include <OGRE/OgreSceneNode.h>
 #include <rviz/display_context.h>
-#include <rviz/frame_manager.h>
 #include <rviz/properties/float_property.h>
 
 #include <pluginlib/class_list_macros.hpp>
@@ -10,6 +9,7 @@
 
 #include "alpha_property.h"
 #include "beside.h"
+#include "placing.h"
 
 namespace ice_ice_baby {
 
@@ -75,27 +75,20 @@ void ParticlesDisplay::restyle() {
 }
 
 void ParticlesDisplay::processMessage(const sensor_msgs::PointCloud2::ConstPtr& message) {
-  Ogre::Vector3 position;
-  Ogre::Quaternion orientation;
-  if (!context_->getFrameManager()->getTransform(message->header, position, orientation)) {
-    const QString frame = QString::fromStdString(message->header.frame_id);
-    setStatus(rviz::StatusProperty::Error, "Transform",
-              QString("none from [%1] to [%2]").arg(frame, fixed_frame_));
-    return;
-  }
+  Place place;
+  if (!findPlace(*this, *context_, message->header, place)) return;
   try {
     splitPhases(*message, points_);
   } catch (const std::invalid_argument& e) {
     setStatus(rviz::StatusProperty::Error, "Points", e.what());
     return;
   }
-  setStatus(rviz::StatusProperty::Ok, "Transform", "OK");
   setStatus(rviz::StatusProperty::Ok, "Points", QString("%1 drawn").arg(message->width));
   setStatus(
       points_.has_phases ? rviz::StatusProperty::Ok : rviz::StatusProperty::Warn, "Phase",
       points_.has_phases ? "OK" : "The cloud has no field phase: all of it is drawn as water");
-  scene_node_->setPosition(position);
-  scene_node_->setOrientation(orientation);
+  scene_node_->setPosition(place.position);
+  scene_node_->setOrientation(place.orientation);
   for (const Phase phase : kPhases) {
     auto& points = points_.of[indexOf(phase)];
     clouds_[indexOf(phase)]->clear();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "field_reader.h"
+#include "particle_colour.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -50,11 +51,8 @@ class CloudReader {
     point.position.x = x_.read(at(k), 0.0F);
     point.position.y = y_.read(at(k), 0.0F);
     point.position.z = z_.read(at(k), 0.0F);
-    const auto colour = rgb_.read(at(k), kWaterBlue);
-    const auto part = [&](int shift) {
-      return static_cast<float>(colour >> shift & 255U) / 255.0F;
-    };
-    point.setColor(part(16), part(8), part(0));
+    const Colour colour = unpacked(rgb_.read(at(k), kWaterBlue));
+    point.setColor(colour.red, colour.green, colour.blue);
     return point;
   }
 

@@ -15,6 +15,8 @@
 #include "alpha_property.h"
 #include "beside.h"
 #include "framing.h"
+#include "particle_colour.h"
+#include "placing.h"
 
 namespace ice_ice_baby {
 namespace {
@@ -113,15 +115,8 @@ void SurfaceDisplay::restyle() {
 }
 
 void SurfaceDisplay::processMessage(const Surface::ConstPtr& message) {
-  Ogre::Vector3 position;
-  Ogre::Quaternion orientation;
-  if (!context_->getFrameManager()->getTransform(message->header, position, orientation)) {
-    const QString frame = QString::fromStdString(message->header.frame_id);
-    setStatus(rviz::StatusProperty::Error, "Transform",
-              QString("none from [%1] to [%2]").arg(frame, fixed_frame_));
-    return;
-  }
-  setStatus(rviz::StatusProperty::Ok, "Transform", "OK");
+  Place place;
+  if (!findPlace(*this, *context_, message->header, place)) return;
   if (!isWhole(message->water) || !isWhole(message->ice)) {
     setStatus(rviz::StatusProperty::Error, "Surface",
               "The message has values for other vertices than it holds");
@@ -130,8 +125,8 @@ void SurfaceDisplay::processMessage(const Surface::ConstPtr& message) {
   setStatus(
       rviz::StatusProperty::Ok, "Surface",
       QString("%1 triangles").arg(message->water.triangles.size() + message->ice.triangles.size()));
-  scene_node_->setPosition(position);
-  scene_node_->setOrientation(orientation);
+  scene_node_->setPosition(place.position);
+  scene_node_->setOrientation(place.orientation);
   water_->show(message->water, message->thermal, message->spacing_m);
   ice_->show(message->ice, message->thermal, message->spacing_m);
   drawSteam(*message);
@@ -142,7 +137,7 @@ void SurfaceDisplay::drawSteam(const Surface& surface) {
   std::vector<rviz::PointCloud::Point> points(surface.steam.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     points[k].position = Ogre::Vector3(surface.steam[k].x, surface.steam[k].y, surface.steam[k].z);
-    points[k].setColor(0.86F, 0.87F, 0.89F);
+    points[k].setColor(kSteamColour.red, kSteamColour.green, kSteamColour.blue);
   }
   const float width_m = kSteamWidth * surface.spacing_m;
   steam_->clear();

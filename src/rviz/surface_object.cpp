@@ -11,10 +11,8 @@ namespace ice_ice_baby {
 namespace {
 
 Ogre::ColourValue colourOf(std::uint32_t packed) {
-  const auto part = [packed](int shift) {
-    return static_cast<float>(packed >> shift & 255U) / 255.0F;
-  };
-  return Ogre::ColourValue(part(16), part(8), part(0));
+  const Colour colour = unpacked(packed);
+  return Ogre::ColourValue(colour.red, colour.green, colour.blue);
 }
 
 /// Water is drawn after everything that can be seen through it.

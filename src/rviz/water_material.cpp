@@ -113,9 +113,7 @@ Ogre::MaterialPtr makeSurfaceMaterial(Phase phase) {
 void setOpacity(const Ogre::MaterialPtr& material, float opacity) {
   Ogre::Technique* technique = material->getTechnique(0);
   for (unsigned short k = 0; k < technique->getNumPasses(); ++k) {
-    Ogre::Pass* pass = technique->getPass(k);
-    if (!pass->hasFragmentProgram()) continue;
-    pass->getFragmentProgramParameters()->setNamedConstant("opacity", opacity);
+    technique->getPass(k)->getFragmentProgramParameters()->setNamedConstant("opacity", opacity);
   }
 }
 

@@ -40,10 +40,11 @@ SurfaceMesh meshMessage(const FluidSurface& surface) {
 }
 
 std_msgs::ColorRGBA colourOf(std::uint32_t packed, float alpha) {
+  const Colour parts = unpacked(packed);
   std_msgs::ColorRGBA colour;
-  colour.r = static_cast<float>(packed >> 16 & 255u) / 255.0f;
-  colour.g = static_cast<float>(packed >> 8 & 255u) / 255.0f;
-  colour.b = static_cast<float>(packed & 255u) / 255.0f;
+  colour.r = parts.red;
+  colour.g = parts.green;
+  colour.b = parts.blue;
   colour.a = alpha;
   return colour;
 }

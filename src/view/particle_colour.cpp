@@ -31,6 +31,13 @@ Colour mixed(Colour a, Colour b, float share) {
           a.blue + s * (b.blue - a.blue)};
 }
 
+Colour unpacked(std::uint32_t colour) {
+  const auto part = [colour](int shift) {
+    return static_cast<float>(colour >> shift & 255u) / 255.0f;
+  };
+  return {part(16), part(8), part(0)};
+}
+
 Colour waterColour(float celsius) {
   Colour colour = kStops[0].colour;
   for (std::size_t k = 1; k < std::size(kStops); ++k) {

@@ -19,6 +19,9 @@ constexpr Colour kSolidColour{0.80f, 0.52f, 0.28f};
 /// @param share of `b`, held within [0, 1]
 Colour mixed(Colour a, Colour b, float share);
 
+/// Of a packed 0x00RRGGBB.
+Colour unpacked(std::uint32_t colour);
+
 /// From deep blue at 0 degrees C over the usual blue at 20 to red at 100.
 Colour waterColour(float celsius);
 
